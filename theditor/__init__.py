@@ -1,0 +1,1 @@
+"""theditor: an interactive editor for TH-type uniform B-splines."""
