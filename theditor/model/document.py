@@ -1,0 +1,205 @@
+"""The document: the drawing being edited, where it is saved, and its undo history."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
+
+from theditor.drawing import Drawing, load, save
+from theditor.drawing.change import Change, difference
+from theditor.model.gesture import Gesture
+from theditor.spline import Curve
+
+UNTITLED = "Untitled"
+
+
+class Document(QObject):
+    """The current `Drawing` with its undo history and its file.
+
+    A drawing is an immutable value; every edit replaces it. Views listen to `changed`, which carries the old
+    and the new value, and redraw where the two differ.
+    """
+
+    changed = Signal(object, object)
+    """The drawing was replaced: old value, new value. Sent for previews of a gesture, too."""
+
+    renamed = Signal()
+    """The path or the title is another one."""
+
+    def __init__(self, drawing: Drawing | None = None, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._drawing = drawing if drawing is not None else Drawing()
+        self._path: Path | None = None
+        self._title = UNTITLED
+        self._gesture: Gesture | None = None
+        self._run = 0
+        self.undo_stack = QUndoStack(self)
+
+    @property
+    def drawing(self) -> Drawing:
+        """The current value."""
+        return self._drawing
+
+    @property
+    def path(self) -> Path | None:
+        """The file this drawing was opened from or saved to, if any."""
+        return self._path
+
+    @property
+    def title(self) -> str:
+        """What to call this drawing: its file's name, or a title while it has no file."""
+        return self._path.stem if self._path else self._title
+
+    @property
+    def is_clean(self) -> bool:
+        """Whether there is nothing unsaved."""
+        gesture = self._gesture
+        return self.undo_stack.isClean() and (gesture is None or gesture.before == self._drawing)
+
+    # Edits
+
+    def begin(self, text: str) -> Gesture:
+        """Start a gesture whose undo step will be called `text`; an open one is committed first."""
+        self.settle()
+        self._gesture = Gesture(text, self._drawing, self._show, self._close_gesture)
+        return self._gesture
+
+    def settle(self) -> None:
+        """Commit the open gesture, if there is one. Save, undo and close do this first."""
+        if self._gesture is not None:
+            self._gesture.commit()
+
+    def apply(self, text: str, drawing: Drawing, merge: object = None) -> None:
+        """Replace the drawing in one undo step called `text`; nothing happens if it is equal.
+
+        Parameters
+        ----------
+        merge
+            Steps that follow each other with the same text and an equal `merge` (not None) become one step:
+            nudges by key, wheel and spin-box steps. `break_run` ends such a run.
+        """
+        self.settle()
+        before = self._drawing
+        if drawing == before:
+            return
+        self._show(drawing)
+        key = None if merge is None else (text, merge, self._run)
+        self.undo_stack.push(_Replace(self, text, difference(before, drawing), key))
+
+    def apply_curve(self, text: str, index: int, curve: Curve, merge: object = None) -> None:
+        """Replace the curve of item `index`, otherwise as `apply`."""
+        self.settle()
+        self.apply(text, self._drawing.with_curve(index, curve), merge)
+
+    def break_run(self) -> None:
+        """End a run of merging steps: the next step is one of its own."""
+        self._run += 1
+
+    def undo(self) -> None:
+        """Take the last step back; an open gesture counts as the last step."""
+        self.settle()
+        self.undo_stack.undo()
+        self.break_run()
+
+    def redo(self) -> None:
+        """Do the step last taken back once more."""
+        self.settle()
+        self.undo_stack.redo()
+        self.break_run()
+
+    # Files
+
+    def open(self, path: Path) -> None:
+        """Replace everything by the drawing in a file.
+
+        Raises
+        ------
+        DrawingError
+            The file cannot be read; the document is as it was.
+        """
+        drawing = load(path)
+        self._start_anew(drawing, path, path.stem)
+
+    def start(self, drawing: Drawing, title: str = UNTITLED) -> None:
+        """Replace everything by a drawing that has no file yet."""
+        self._start_anew(drawing, None, title)
+
+    def save(self, path: Path | None = None) -> None:
+        """Save to `path`, or to the document's own file.
+
+        Raises
+        ------
+        DrawingError
+            The file cannot be written; the old file is as it was.
+        ValueError
+            There is neither a path nor a file yet.
+        """
+        self.settle()
+        path = path or self._path
+        if path is None:
+            raise ValueError("the drawing has no file yet: name one")
+        save(self._drawing, path)
+        self._path = path
+        self.undo_stack.setClean()
+        self.renamed.emit()
+
+    # Inner workings
+
+    def _start_anew(self, drawing: Drawing, path: Path | None, title: str) -> None:
+        if self._gesture is not None:
+            self._gesture.cancel()
+        self.undo_stack.clear()
+        self._path, self._title = path, title
+        self._show(drawing)
+        self.renamed.emit()
+
+    def _show(self, drawing: Drawing) -> None:
+        old, self._drawing = self._drawing, drawing
+        if old is not drawing:
+            self.changed.emit(old, drawing)
+
+    def _close_gesture(self, gesture: Gesture, keep: bool) -> None:
+        self._gesture = None
+        after = self._drawing
+        if not keep or after == gesture.before:
+            self._show(gesture.before)
+        else:
+            change = difference(gesture.before, after)
+            self.undo_stack.push(_Replace(self, gesture.text, change, None))
+            self.break_run()
+
+
+class _Replace(QUndoCommand):
+    """The one kind of undo step: a change from one drawing to another, already shown when it is pushed."""
+
+    ID = 1
+
+    def __init__(self, document: Document, text: str, change: Change, key: object) -> None:
+        super().__init__(text)
+        self.document = document
+        self.change = change
+        self.key = key
+        self._shown = True
+
+    def redo(self) -> None:
+        if self._shown:
+            self._shown = False
+        else:
+            self.document._show(self.change.apply(self.document.drawing))
+
+    def undo(self) -> None:
+        self.document._show(self.change.revert(self.document.drawing))
+
+    def id(self) -> int:
+        return self.ID if self.key is not None else -1
+
+    def mergeWith(self, other: QUndoCommand) -> bool:
+        if not isinstance(other, _Replace) or other.key != self.key:
+            return False
+        after = self.document.drawing
+        before = self.change.revert(other.change.revert(after))
+        self.change = difference(before, after)
+        self.setObsolete(before == after)
+        return True
