@@ -1,0 +1,97 @@
+"""The joint form of a curve: what every evaluation starts from.
+
+A segment is a straight part plus one bend vector W at each of its two joints, W_start and W_end:
+
+    quadratic    P − r(1−t; λ_start) W_start + r(t; λ_end) W_end,                 W the polygon's edge at the joint
+    cubic        (1−t) P + t P' + R(1−t; λ_start) W_start + R(t; λ_end) W_end,    W the second difference there
+
+A clamped end needs no extra control points in this form: its edge counts twice (quadratic), or its second
+difference is zero (cubic). Arrays are coordinate-major, (d, k), which keeps each coordinate contiguous.
+"""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from theditor.spline.basis import Floats, blended, chord_weights
+
+if TYPE_CHECKING:
+    from theditor.spline.curve import Curve
+
+
+class Segments(NamedTuple):
+    """Some segments of a curve in joint form; a quadratic has `start` = `end`."""
+
+    start: Floats  # (d, k)
+    end: Floats  # (d, k)
+    bend_start: Floats  # (d, k)
+    bend_end: Floats  # (d, k)
+    lambda_start: Floats  # (k,)
+    lambda_end: Floats  # (k,)
+
+    def take(self, indices: NDArray[np.intp] | slice) -> "Segments":
+        """Return those of the segments, in the given order."""
+        return Segments(*(part[..., indices] for part in self))
+
+
+def all_segments(curve: "Curve") -> Segments:
+    """Return every segment of a curve; neighbours share memory."""
+    points, lambdas = curve.control_points.T, curve.lambdas
+    if curve.closed:
+        points = np.concatenate((points[:, -1:], points, points[:, : curve.degree - 1]), axis=1)
+        lambdas = np.append(lambdas, lambdas[0])
+    else:
+        points = np.ascontiguousarray(points)
+        lambdas = lambdas[curve.first_segment :]
+    clamped = curve.ends == "clamped" and not curve.closed
+    bends = np.diff(points, curve.degree - 1, axis=1)
+    if curve.degree == 2:
+        straight = points[:, 1:-1]
+        if clamped:
+            bends[:, 0] *= 2
+            bends[:, -1] *= 2
+        count = straight.shape[1]
+        start = end = straight
+    else:
+        if clamped:
+            bends = np.pad(bends, ((0, 0), (1, 1)))
+            straight = points
+        else:
+            straight = points[:, 1:-1]
+        count = straight.shape[1] - 1
+        start, end = straight[:, :-1], straight[:, 1:]
+    return Segments(start, end, bends[:, :-1], bends[:, 1:], lambdas[:count], lambdas[1 : count + 1])
+
+
+def some_segments(curve: "Curve", segments: NDArray[np.intp]) -> Segments:
+    """Return the given segments of a curve without touching the others."""
+    count = len(curve.control_points)
+    first = segments + curve.first_segment
+    # Past a clamped end the indices wrap; the bend formed there is replaced below.
+    points = curve.control_points[(first[:, None] + np.arange(-1, curve.degree)) % count]
+    bends = np.diff(points, curve.degree - 1, axis=1)
+    if curve.ends == "clamped" and not curve.closed:
+        factor = 2.0 if curve.degree == 2 else 0.0
+        bends[segments == 0, 0] *= factor
+        bends[segments == curve.segment_count - 1, 1] *= factor
+    return Segments(
+        points[:, 1].T,
+        points[:, curve.degree - 1].T,
+        bends[:, 0].T,
+        bends[:, 1].T,
+        curve.lambdas[first % count],
+        curve.lambdas[(first + 1) % count],
+    )
+
+
+def evaluate(segments: Segments, t: Floats, degree: int, nu: int) -> Floats:
+    """Return derivative `nu` of each segment at its own parameter: `t` of shape (k,) gives (d, k)."""
+    bend = (-1) ** (nu + degree + 1) * blended(1 - t, segments.lambda_start, degree, nu) * segments.bend_start
+    bend += blended(t, segments.lambda_end, degree, nu) * segments.bend_end
+    if degree == 2:
+        return bend + segments.start if nu == 0 else bend
+    from_start, from_end = chord_weights(t, nu)
+    if nu == 0:
+        return from_start * segments.start + from_end * segments.end + bend
+    return from_end * (segments.end - segments.start) + bend
