@@ -77,7 +77,8 @@ def trigonometric(t: Floats, order: int) -> Floats:
     if order == -1:
         return t / 2 - np.sin(np.pi / 2 * t) / np.pi
     if order == 0:  # as a square, and exactly 1/2 at t = 1, where the factor λ may be huge
-        return np.square(np.sin(np.pi / 4 * t) / np.sin(np.pi / 4)) / 2
+        root: Floats = np.sin(np.pi / 4 * t) / np.sin(np.pi / 4)
+        return root * root / 2
     if order == 1:
         return np.pi / 4 * np.sin(np.pi / 2 * t)
     if order == 2:
@@ -90,7 +91,8 @@ def hyperbolic(t: Floats, order: int) -> Floats:
     if order == -1:
         return _KAPPA * (np.sinh(t) - t)
     if order == 0:  # κ(cosh t − 1), as a square
-        return np.square(np.sinh(t / 2) / np.sinh(0.5)) / 2
+        root: Floats = np.sinh(t / 2) / np.sinh(0.5)
+        return root * root / 2
     if order == 2:
         return _KAPPA * np.cosh(t)
     return _KAPPA * np.sinh(t)
@@ -139,18 +141,9 @@ def basis(
     if degree == 2:
         middle = float(nu == 0) - first - last
         return np.stack(np.broadcast_arrays(first, middle, last), axis=-1)
-    from_start, from_end = chord_weights(t, nu)
-    second = from_start + last - 2 * first
-    third = from_end + first - 2 * last
+    second = (1 - t if nu == 0 else -float(nu == 1)) + last - 2 * first
+    third = (t if nu == 0 else float(nu == 1)) + first - 2 * last
     return np.stack(np.broadcast_arrays(first, second, third, last), axis=-1)
-
-
-def chord_weights(t: Floats, nu: int) -> tuple[Floats, Floats]:
-    """Return derivative `nu` of 1 − t and of t."""
-    if nu == 0:
-        return 1 - t, t
-    slope = np.full_like(t, float(nu == 1))
-    return -slope, slope
 
 
 def check_degree(degree: int) -> None:

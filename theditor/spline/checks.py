@@ -135,4 +135,6 @@ def _numbers(values: ArrayLike, what: str) -> Floats:
         raise ValueError(f"{what} must be an array of numbers, without rows of different length") from None
     if given.dtype.kind not in "iuf":
         raise ValueError(f"{what} must be real numbers")
-    return np.add(given, 0.0, dtype=np.float64, order="C")  # adding zero turns −0.0 into 0.0
+    numbers = np.array(given, dtype=np.float64, order="C")
+    numbers += 0.0  # turns −0.0 into 0.0
+    return numbers

@@ -64,18 +64,24 @@ class Curve:
         control_points = checks.clean_points(points)
         count = len(control_points)
         checks.check_count(count, degree, closed, ends)
-        self._fill(control_points, checks.clean_lambdas(lambdas, count), int(degree), bool(closed), ends)
+        vars(self).update(
+            control_points=control_points,
+            lambdas=checks.clean_lambdas(lambdas, count),
+            degree=int(degree),
+            closed=bool(closed),
+            ends=ends,
+        )
+        self._freeze()
 
-    def _fill(self, points: Floats, lambdas: Floats, degree: int, closed: bool, ends: Ends) -> None:
-        points.flags.writeable = False
-        lambdas.flags.writeable = False
-        vars(self).update(control_points=points, lambdas=lambdas, degree=degree, closed=closed, ends=ends)
+    def _freeze(self) -> None:
+        self.control_points.flags.writeable = False
+        self.lambdas.flags.writeable = False
 
     def _replaced(self, **changes: object) -> Self:
         """Return the curve with these attributes, which have been checked, in place of its own."""
         other = object.__new__(type(self))
-        kept = {name: getattr(self, name) for name in self.__dataclass_fields__}
-        other._fill(**(kept | changes))
+        vars(other).update({name: getattr(self, name) for name in self.__dataclass_fields__} | changes)
+        other._freeze()
         return other
 
     def __eq__(self, other: object) -> bool:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from theditor.spline.basis import Floats, blended, chord_weights
+from theditor.spline.basis import Floats, blended
 
 if TYPE_CHECKING:
     from theditor.spline.curve import Curve
@@ -87,11 +87,11 @@ def some_segments(curve: "Curve", segments: NDArray[np.intp]) -> Segments:
 
 def evaluate(segments: Segments, t: Floats, degree: int, nu: int) -> Floats:
     """Return derivative `nu` of each segment at its own parameter: `t` of shape (k,) gives (d, k)."""
-    bend = (-1) ** (nu + degree + 1) * blended(1 - t, segments.lambda_start, degree, nu) * segments.bend_start
+    sign = 1.0 if (nu + degree) % 2 else -1.0
+    bend = sign * blended(1 - t, segments.lambda_start, degree, nu) * segments.bend_start
     bend += blended(t, segments.lambda_end, degree, nu) * segments.bend_end
     if degree == 2:
-        return bend + segments.start if nu == 0 else bend
-    from_start, from_end = chord_weights(t, nu)
+        return segments.start + bend if nu == 0 else bend
     if nu == 0:
-        return from_start * segments.start + from_end * segments.end + bend
-    return from_end * (segments.end - segments.start) + bend
+        return (1 - t) * segments.start + t * segments.end + bend
+    return (segments.end - segments.start) + bend if nu == 1 else bend
