@@ -1,0 +1,19 @@
+"""The value a file holds, and the file: immutable drawings, strict JSON, atomic saves. No Qt."""
+
+from theditor.drawing.change import Change, difference
+from theditor.drawing.drawing import Drawing, DrawingError, Item
+from theditor.drawing.schema import decode, encode
+from theditor.drawing.storage import load, save, shown
+
+__all__ = [
+    "Change",
+    "Drawing",
+    "DrawingError",
+    "Item",
+    "decode",
+    "difference",
+    "encode",
+    "load",
+    "save",
+    "shown",
+]
