@@ -11,6 +11,14 @@ from theditor.spline.basis import (
 )
 from theditor.spline.checks import MAX_COORDINATE, MAX_LAMBDA, fewest_points
 from theditor.spline.curve import Curve, Ends
+from theditor.spline.sampling import (
+    Samples,
+    changed_segments,
+    evaluate_segments,
+    intervals_for,
+    sample_adaptively,
+    segment_bounds,
+)
 
 __all__ = [
     "CONVEX_HULL_RANGE",
@@ -21,8 +29,14 @@ __all__ = [
     "Curve",
     "Ends",
     "Mode",
+    "Samples",
     "basis",
+    "changed_segments",
+    "evaluate_segments",
     "fewest_points",
+    "intervals_for",
     "lambda_of",
     "mode_of",
+    "sample_adaptively",
+    "segment_bounds",
 ]

@@ -163,7 +163,7 @@ class Curve:
     @cached_property
     def mode_codes(self) -> NDArray[np.int8]:
         """The mode of each segment as a number: 0 trigonometric, 1 hyperbolic, 2 interpolating, 3 blend."""
-        start, end = self._segments.lambda_start, self._segments.lambda_end
+        start, end = self.joint_form.lambda_start, self.joint_form.lambda_end
         if not self.active_lambdas[self.first_segment] and self.segment_count > 1:
             # A clamped end has no say; a lone straight segment goes by the λ it keeps.
             start, end = start.copy(), end.copy()
@@ -186,7 +186,8 @@ class Curve:
         return np.concatenate((points, points[:1])) if self.closed else points
 
     @cached_property
-    def _segments(self) -> joints.Segments:
+    def joint_form(self) -> joints.Segments:
+        """Every segment as the evaluations take it, made when first needed."""
         return joints.all_segments(self)
 
     # Points on it
@@ -227,7 +228,7 @@ class Curve:
             segment = np.maximum(np.ceil(u) - 1, -1 if self.closed else 0)
         t = (u - segment).ravel()
         where = segment.astype(np.intp).ravel() % count
-        values = joints.evaluate(sampling.take_segments(self, where), t, self.degree, nu)
+        values = joints.evaluate(joints.take_segments(self, where), t, self.degree, nu)
         return np.ascontiguousarray(values.T).reshape(*u.shape, self.dimension)
 
     @property

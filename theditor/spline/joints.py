@@ -45,23 +45,23 @@ def all_segments(curve: "Curve") -> Segments:
         points = np.ascontiguousarray(points)
         lambdas = lambdas[curve.first_segment :]
     clamped = curve.ends == "clamped" and not curve.closed
+    straight = points[:, 1:-1]
     bends = np.diff(points, curve.degree - 1, axis=1)
-    if curve.degree == 2:
-        straight = points[:, 1:-1]
-        if clamped:
-            bends[:, 0] *= 2
-            bends[:, -1] *= 2
-        count = straight.shape[1]
-        start = end = straight
-    else:
-        if clamped:
-            bends = np.pad(bends, ((0, 0), (1, 1)))
-            straight = points
-        else:
-            straight = points[:, 1:-1]
-        count = straight.shape[1] - 1
-        start, end = straight[:, :-1], straight[:, 1:]
-    return Segments(start, end, bends[:, :-1], bends[:, 1:], lambdas[:count], lambdas[1 : count + 1])
+    if clamped and curve.degree == 2:
+        bends[:, 0] *= 2
+        bends[:, -1] *= 2
+    elif clamped:
+        straight = points
+        bends = np.pad(bends, ((0, 0), (1, 1)))
+    count = curve.segment_count
+    return Segments(
+        straight[:, :count],
+        straight[:, -count:],
+        bends[:, :-1],
+        bends[:, 1:],
+        lambdas[:count],
+        lambdas[1 : count + 1],
+    )
 
 
 def some_segments(curve: "Curve", segments: NDArray[np.intp]) -> Segments:
@@ -83,6 +83,13 @@ def some_segments(curve: "Curve", segments: NDArray[np.intp]) -> Segments:
         curve.lambdas[first % count],
         curve.lambdas[(first + 1) % count],
     )
+
+
+def take_segments(curve: "Curve", segments: NDArray[np.intp]) -> Segments:
+    """Return the given segments of a curve, whichever way is quicker."""
+    if "joint_form" in vars(curve) or 8 * len(segments) > curve.segment_count:
+        return curve.joint_form.take(segments)
+    return some_segments(curve, segments)
 
 
 def evaluate(segments: Segments, t: Floats, degree: int, nu: int) -> Floats:

@@ -1,12 +1,21 @@
-"""Many samples at once."""
+"""Many samples at once: whole curves, what changed between two of them, and what a window shows.
 
+One strategy serves all: since the basis is affine in λ, a segment's points are a fixed combination of five
+(quadratic) or six (cubic) rows of features: its straight part, its two bend vectors, and these times λ. The
+features of a block of segments, kept coordinate by coordinate and small enough to stay in the cache, times the
+matrix of the generators at the wanted t give all the block's points in one matrix product, written straight into
+place. Writing the result is then the limit.
+"""
+
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from theditor.spline import joints
-from theditor.spline.basis import Floats, hyperbolic, trigonometric
+from theditor.spline.basis import CONVEX_HULL_RANGE, JOINT_SLOPE_ZERO, Floats, hyperbolic, trigonometric
+from theditor.spline.checks import clean_indices
 
 if TYPE_CHECKING:
     from theditor.spline.curve import Curve
@@ -14,63 +23,325 @@ if TYPE_CHECKING:
 _BLOCK = 4096
 
 
-def take_segments(curve: "Curve", segments: NDArray[np.intp]) -> joints.Segments:
-    """Return the given segments in joint form, whichever way is quicker."""
-    if "_segments" in vars(curve) or 8 * len(segments) > curve.segment_count:
-        return curve._segments.take(segments)
-    return joints.some_segments(curve, segments)
+@dataclass(frozen=True)
+class Samples:
+    """Points along some segments: those of the j-th one are ``points[starts[j] : starts[j + 1]]``."""
+
+    segments: NDArray[np.intp]  # (k,) which segments of the curve, ascending unless asked for otherwise
+    intervals: NDArray[np.intp]  # (k,) equal steps of t in each
+    starts: NDArray[np.intp]  # (k + 1,)
+    points: Floats  # (N, d), each segment with both its ends
 
 
-def sample(curve: "Curve", per_segment: int, out: Floats | None) -> Floats:
-    """Return points at equal steps of t; see `Curve.sample`."""
-    if isinstance(per_segment, bool) or not isinstance(per_segment, int | np.integer) or per_segment < 1:
-        raise ValueError(f"per_segment must be a positive integer, not {per_segment!r}")
-    shape = curve.dimension, curve.segment_count * int(per_segment) + 1
+def sample(curve: "Curve", per_segment: int, out: Floats | None = None) -> Floats:
+    """Return points at equal steps of t along the whole curve; see `Curve.sample`."""
+    _check_positive(per_segment, "per_segment")
+    count = curve.segment_count
+    shape = curve.dimension, count * int(per_segment) + 1
     if out is None:
         out = np.empty(shape)
     elif (
-        out.shape != shape or out.dtype != np.float64 or not out.flags.c_contiguous or not out.flags.writeable
+        out.shape != shape or out.dtype != np.float64 or not (out.flags.c_contiguous and out.flags.writeable)
     ):
         raise ValueError(f"out must be a writeable C-contiguous float64 array of shape {shape}")
-    segments = curve._segments
-    grid = out[:, :-1].reshape(shape[0], curve.segment_count, per_segment)
-    _fill(segments, weights(np.arange(per_segment) / per_segment, curve.degree), grid)
+    matrix = _generators(per_segment, curve.degree)
+    segments = curve.joint_form
+    _fill(segments, matrix[:, :-1], out[:, :-1].reshape(shape[0], count, per_segment))
     if curve.closed:
         out[:, -1] = out[:, 0]
     else:
-        end = np.empty((shape[0], 1, 1))
-        _fill(segments.take(slice(-1, None)), weights(np.ones(1), curve.degree), end)
-        out[:, -1] = end[:, 0, 0]
+        _fill(segments.take(slice(-1, None)), matrix[:, -1:], out[:, -1:].reshape(shape[0], 1, 1))
     return out.T
 
 
-def weights(t: Floats, degree: int) -> Floats:
-    """Return the weights of a segment's features at `t`, (features, len(t))."""
-    sign = -1 if degree == 2 else 1
+def changed_segments(old: "Curve", new: "Curve") -> NDArray[np.intp] | None:
+    """Return which segments may differ between two curves, ascending.
+
+    A segment counts as changed when one of the control points or active λ that define it differs, so the others
+    are equal to the last bit, and so are their modes.
+
+    Returns
+    -------
+    ndarray of int, shape (k,), or None
+        None when the curves do not correspond segment by segment: they differ in degree, ends, being closed,
+        dimension or number of points.
+    """
+    if (old.degree, old.closed, old.ends, old.control_points.shape) != (
+        new.degree,
+        new.closed,
+        new.ends,
+        new.control_points.shape,
+    ):
+        return None
+    count, first = new.segment_count, new.first_segment
+    changed = np.zeros(count, dtype=np.bool_)
+    if old.control_points is not new.control_points:
+        moved = np.zeros(len(new.control_points), dtype=np.bool_)
+        for before, after in zip(old.control_points.T, new.control_points.T, strict=True):
+            moved |= before != after
+        _mark(changed, np.flatnonzero(moved) - first, range(1 - new.degree, 2), new.closed)
+    if old.lambdas is not new.lambdas:
+        differs = old.lambdas != new.lambdas
+        if new.active_lambdas.any():  # else the modes alone depend on λ
+            differs &= new.active_lambdas
+        _mark(changed, np.flatnonzero(differs) - first, range(-1, 1), new.closed)
+    return np.flatnonzero(changed)
+
+
+def evaluate_segments(curve: "Curve", segments: ArrayLike, intervals: int) -> Floats:
+    """Return the points at t = j/intervals, both ends included, of some segments.
+
+    The cost depends on the number of these segments, not on the size of the curve.
+
+    Parameters
+    ----------
+    curve : Curve
+    segments : int or array_like of int, shape (k,)
+    intervals : int
+        Steps in each segment, at least 1.
+
+    Returns
+    -------
+    ndarray, shape (k, intervals + 1, d)
+        Stored coordinate by coordinate.
+
+    Raises
+    ------
+    ValueError
+        If there is no such segment, or `intervals` is not a positive integer.
+    """
+    _check_positive(intervals, "intervals")
+    chosen = clean_indices(segments, curve.segment_count, "segment")
+    out = np.empty((curve.dimension, len(chosen), int(intervals) + 1))
+    _fill(joints.take_segments(curve, chosen), _generators(intervals, curve.degree), out)
+    return out.transpose(1, 2, 0)
+
+
+def segment_bounds(curve: "Curve", segments: ArrayLike | None = None) -> tuple[Floats, Floats]:
+    """Return boxes that contain the segments, whatever their λ.
+
+    The box adds up the ranges of a segment's terms, so it holds outside the convex-hull range too, but it is
+    seldom the smallest one.
+
+    Parameters
+    ----------
+    curve : Curve
+    segments : int or array_like of int, shape (k,), optional
+        All segments by default.
+
+    Returns
+    -------
+    low, high : ndarray, shape (k, d)
+
+    Raises
+    ------
+    ValueError
+        If there is no such segment.
+    """
+    low, high = _boxes(_chosen(curve, segments)[1], curve.degree)
+    return low.T, high.T
+
+
+def intervals_for(
+    curve: "Curve", tolerance: float, segments: ArrayLike | None = None, most: int = 512
+) -> NDArray[np.intp]:
+    """Return into how many equal steps of t to cut segments so that chords stay close to them.
+
+    A chord over a step h is nowhere further from the curve than h²/8·max|C''|; the bound used for |C''| adds up
+    the greatest bends of both joints, so it errs by some factor of two on the safe side.
+
+    Parameters
+    ----------
+    curve : Curve
+    tolerance : float
+        Largest distance allowed, positive, in the units of the control points.
+    segments : int or array_like of int, shape (k,), optional
+        All segments by default.
+    most : int
+        Never return more than this, even if the tolerance is missed for it.
+
+    Returns
+    -------
+    ndarray of int, shape (k,)
+        Powers of two; 1 where a segment is straight and run through evenly.
+
+    Raises
+    ------
+    ValueError
+        If there is no such segment, `tolerance` is not a positive number or `most` not a positive integer.
+    """
+    return _intervals(_chosen(curve, segments)[1], curve.degree, tolerance, most)
+
+
+def sample_adaptively(
+    curve: "Curve",
+    tolerance: float,
+    low: ArrayLike | None = None,
+    high: ArrayLike | None = None,
+    segments: ArrayLike | None = None,
+) -> Samples:
+    """Return what is needed to draw the segments that a window may show, as chords within a tolerance.
+
+    Parameters
+    ----------
+    curve : Curve
+    tolerance : float
+        Largest distance of a chord from the curve, as for `intervals_for`.
+    low, high : array_like, shape (d,), optional
+        Corners of the window; no limit by default. Segments whose box lies outside are left out.
+    segments : int or array_like of int, shape (k,), optional
+        The segments to consider, all by default.
+
+    Raises
+    ------
+    ValueError
+        As `intervals_for` does, or if a corner has not one number for each coordinate.
+    """
+    chosen, parts = _chosen(curve, segments)
+    if low is not None or high is not None:
+        box_low, box_high = _boxes(parts, curve.degree)
+        seen = (box_high >= _corner(low, -np.inf, curve)) & (box_low <= _corner(high, np.inf, curve))
+        visible = np.logical_and.reduce(seen, axis=0)
+        if not visible.all():
+            kept = np.flatnonzero(visible)
+            chosen, parts = chosen[kept], parts.take(kept)
+    intervals = _intervals(parts, curve.degree, tolerance, 512)
+    starts = np.concatenate(([0], np.cumsum(intervals + 1)))
+    points = np.empty((curve.dimension, starts[-1]))
+    for count in np.flatnonzero(np.bincount(intervals)):
+        matrix = _generators(count, curve.degree)
+        group = np.flatnonzero(intervals == count)
+        if len(group) == len(chosen):
+            _fill(parts, matrix, points.reshape(len(points), len(group), count + 1))
+        else:
+            part = np.empty((len(points), len(group), count + 1))
+            _fill(parts.take(group), matrix, part)
+            points[:, starts[group][:, None] + np.arange(count + 1)] = part
+    return Samples(chosen, intervals, starts, points.T)
+
+
+def _generators(intervals: int, degree: int) -> Floats:
+    """Return the weights of a segment's features at t = j/intervals, (features, intervals + 1)."""
+    t = np.arange(intervals + 1) / intervals
     order = 2 - degree
-    rows = []
-    for s, factor in ((1 - t, sign), (t, 1)):
-        free = trigonometric(s, order)
-        rows += [factor * free, factor * (hyperbolic(s, order) - free)]
     straight = [np.ones_like(t)] if degree == 2 else [1 - t, t]
-    return np.stack(straight + rows)
+    bends = []
+    for s, sign in ((1 - t, -1 if degree == 2 else 1), (t, 1)):
+        free = trigonometric(s, order)
+        bends += [sign * free, sign * (hyperbolic(s, order) - free)]
+    return np.stack(straight + bends)
 
 
 def _fill(segments: joints.Segments, matrix: Floats, out: Floats) -> None:
-    """Write the points of the segments into `out`, (d, k, samples)."""
+    """Write the points of the segments, at the parameters of the matrix, into `out`, (d, k, samples)."""
     dimension, count = segments.start.shape
     features = len(matrix)
     scratch = np.empty((dimension, features, min(count, _BLOCK)))
     for first in range(0, count, _BLOCK):
         block = slice(first, first + _BLOCK)
-        size = min(_BLOCK, count - first)
-        rows = scratch[:, :, :size]
+        rows = scratch[:, :, : count - first]
         rows[:, 0] = segments.start[:, block]
         if features == 6:
             rows[:, 1] = segments.end[:, block]
         rows[:, -4] = segments.bend_start[:, block]
-        np.multiply(rows[:, -4], segments.lambda_start[block], out=rows[:, -3])
+        np.multiply(segments.bend_start[:, block], segments.lambda_start[block], out=rows[:, -3])
         rows[:, -2] = segments.bend_end[:, block]
-        np.multiply(rows[:, -2], segments.lambda_end[block], out=rows[:, -1])
+        np.multiply(segments.bend_end[:, block], segments.lambda_end[block], out=rows[:, -1])
         for axis in range(dimension):
             np.matmul(rows[axis].T, matrix, out=out[axis, block])
+
+
+def _boxes(segments: joints.Segments, degree: int) -> tuple[Floats, Floats]:
+    """Return the corners, (d, k) each, of boxes around the segments."""
+    low = np.minimum(segments.start, segments.end)
+    high = np.maximum(segments.start, segments.end)
+    size = np.maximum(np.abs(low), np.abs(high))
+    for bend, lam, sign in (
+        (segments.bend_start, segments.lambda_start, -1 if degree == 2 else 1),
+        (segments.bend_end, segments.lambda_end, 1),
+    ):
+        least, greatest = _range(lam, degree)
+        one, other = sign * least * bend, sign * greatest * bend
+        low += np.minimum(one, other)
+        high += np.maximum(one, other)
+        size += np.abs(bend) * (1 + np.abs(lam))
+    size *= 1e-15  # what rounding may add to a computed point
+    low -= size
+    high += size
+    return low, high
+
+
+def _range(lam: Floats, degree: int) -> tuple[Floats, Floats]:
+    """Return bounds of r(t; λ), or of R(t; λ) for the cubic, over 0 ≤ t ≤ 1.
+
+    Both fall as λ rises, since h ≤ s. Up to the convex-hull range's end they are not negative; beyond it, each unit
+    of λ lowers them by no more than the depth of h − s (H − S). The quadratic's is at most 1/2 from the λ of slope
+    zero on; the cubic's, as long as it is not negative, is greatest at t = 1.
+    """
+    largest = CONVEX_HULL_RANGE[degree][1]
+    if degree == 2:
+        depth = 0.038079  # at t = 0.7023; rounded up
+        greatest = 0.5 + depth * np.maximum(JOINT_SLOPE_ZERO - lam, 0)
+    else:
+        end = np.ones(1)
+        free = trigonometric(end, -1)
+        depth = free - hyperbolic(end, -1)
+        greatest = free - depth * np.minimum(lam, largest)
+    return -depth * np.maximum(lam - largest, 0), greatest
+
+
+def _intervals(segments: joints.Segments, degree: int, tolerance: float, most: int) -> NDArray[np.intp]:
+    if not 0 < tolerance < np.inf:
+        raise ValueError(f"tolerance must be a positive number, not {tolerance!r}")
+    _check_positive(most, "most")
+    limit = int(most).bit_length() - 1
+    bound = np.zeros(segments.start.shape[1])
+    for bend, lam in ((segments.bend_start, segments.lambda_start), (segments.bend_end, segments.lambda_end)):
+        bound += np.sqrt(np.einsum("dk,dk->k", bend, bend)) * _steepest(lam, degree)
+    # A step of 2⁻ᵉ will do if 4ᵉ ≥ bound / (8 tolerance); frexp gives the next power of two above the ratio.
+    ratio = np.minimum(bound, 8 * tolerance * 4.0**limit) / (8 * tolerance)
+    doublings = (np.frexp(ratio)[1] + 1) // 2
+    return np.left_shift(1, np.clip(doublings, 0, limit)).astype(np.intp)
+
+
+def _steepest(lam: Floats, degree: int) -> Floats:
+    """Return a bound of |r''(t; λ)|, or of |R''(t; λ)| for the cubic, over 0 ≤ t ≤ 1."""
+    end = np.ones(1)
+    if degree == 2:
+        free, pulled = trigonometric(0 * end, 2), hyperbolic(end, 2)
+        apart = pulled
+    else:
+        free, pulled = trigonometric(end, 1), hyperbolic(end, 1)
+        apart = pulled - free
+    size = np.abs(lam)
+    return np.minimum(np.abs(1 - lam) * free + size * pulled, free + size * apart)
+
+
+def _mark(changed: NDArray[np.bool_], places: NDArray[np.intp], reach: range, closed: bool) -> None:
+    """Mark the segments at these places and the given steps from them."""
+    for step in reach:
+        near = places + step
+        if closed:
+            near %= len(changed)
+        else:
+            near = near[(near >= 0) & (near < len(changed))]
+        changed[near] = True
+
+
+def _chosen(curve: "Curve", segments: ArrayLike | None) -> tuple[NDArray[np.intp], joints.Segments]:
+    if segments is None:
+        return np.arange(curve.segment_count), curve.joint_form
+    chosen = clean_indices(segments, curve.segment_count, "segment")
+    return chosen, joints.take_segments(curve, chosen)
+
+
+def _corner(corner: ArrayLike | None, otherwise: float, curve: "Curve") -> Floats:
+    values = np.full(curve.dimension, otherwise) if corner is None else np.asarray(corner, dtype=np.float64)
+    if values.shape != (curve.dimension,):
+        raise ValueError(f"a window's corner needs {curve.dimension} numbers, not shape {values.shape}")
+    return values[:, None]
+
+
+def _check_positive(number: int, what: str) -> None:
+    if isinstance(number, bool) or not isinstance(number, int | np.integer) or number < 1:
+        raise ValueError(f"{what} must be a positive integer, not {number!r}")
