@@ -1,0 +1,142 @@
+"""The command line: open the window, or say what is in a file without any window."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from importlib import metadata
+from itertools import groupby
+from pathlib import Path
+
+from theditor.drawing import DrawingError, Item, load, shown
+from theditor.spline import Curve, Mode
+
+_DEBIAN_PACKAGES = (
+    "libgl1 libegl1 libxkbcommon0 libdbus-1-3 libfontconfig1 libglib2.0-0 fonts-dejavu-core "
+    "libxkbcommon-x11-0 libx11-xcb1 libxcb-cursor0 libxcb-icccm4 libxcb-image0 libxcb-keysyms1 libxcb-randr0 "
+    "libxcb-render-util0 libxcb-shape0 libxcb-shm0 libxcb-sync1 libxcb-xfixes0 libxcb-xkb1"
+)
+_CLOSED_PIPE = 141  # 128 + SIGPIPE, as a shell reports it
+_MOST_RUNS = 20
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command with these arguments, else those of the process, and return its exit code.
+
+    0: done; 1: a file is not a drawing, or no window can be opened; 2 (as SystemExit): wrong usage. Qt is
+    imported only to open the window.
+    """
+    arguments = list(sys.argv[1:] if argv is None else argv)
+    for stream in (sys.stdout, sys.stderr):
+        # A name in a drawing must not fail on a terminal that lacks its letters.
+        if reconfigure := getattr(stream, "reconfigure", None):
+            reconfigure(errors="backslashreplace")
+    try:
+        code = _check(arguments[1:]) if arguments[:1] == ["check"] else _open(arguments)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        # The reader has gone, as in `theditor check … | head`; keep the interpreter's last flush silent too.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return _CLOSED_PIPE
+    return code
+
+
+def version() -> str:
+    """Return the installed version, or "unknown" where the package runs without being installed."""
+    try:
+        return metadata.version("theditor")
+    except metadata.PackageNotFoundError:
+        return "unknown"
+
+
+def _open(arguments: Sequence[str]) -> int:
+    parser = argparse.ArgumentParser(
+        prog="theditor",
+        usage="theditor [FILE ...]\n       theditor check FILE ...",
+        description="Draw and shape TH-type uniform B-splines; without a file the window shows an example.",
+        epilog='"theditor check" says what is in files without opening a window; '
+        "a file of that name opens as ./check.",
+    )
+    parser.add_argument("files", metavar="FILE", nargs="*", type=Path, help="drawings to open")
+    parser.add_argument("--version", action="version", version=f"theditor {version()}")
+    files = parser.parse_args(arguments).files
+    if sys.platform == "linux" and not any(
+        os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
+    ):
+        return _fail(
+            "there is no display to open a window on: start it from a desktop session, "
+            "or set DISPLAY to one (QT_QPA_PLATFORM=offscreen runs it unseen)."
+        )
+    try:
+        from theditor.app.main import run
+    except ImportError as error:
+        library, _, reason = str(error).partition(": ")
+        if "shared object" not in reason:
+            raise
+        return _fail(
+            f"the system library {library} is missing: on Debian or Ubuntu, "
+            f"sudo apt-get install -y {_DEBIAN_PACKAGES}"
+        )
+    return run(files)
+
+
+def _fail(sentence: str) -> int:
+    print(f"theditor: {sentence}", file=sys.stderr)
+    return 1
+
+
+def _check(arguments: Sequence[str]) -> int:
+    parser = argparse.ArgumentParser(
+        prog="theditor check",
+        description="Say what is in each drawing, or what is wrong with it.",
+        epilog="The exit code is 0 if every file is a drawing, else 1.",
+    )
+    parser.add_argument("files", metavar="FILE", nargs="+", type=Path, help="drawings to read")
+    code = 0
+    for path in parser.parse_args(arguments).files:
+        try:
+            drawing = load(path)
+        except DrawingError as error:
+            print(error)
+            code = 1
+        else:
+            print(f"{shown(path)}: {_count(len(drawing), 'curve')}")
+            for item in drawing:
+                print(f"  {_described(item)}")
+    return code
+
+
+def _described(item: Item) -> str:
+    curve = item.curve
+    parts = [
+        "quadratic" if curve.degree == 2 else "cubic",
+        "closed" if curve.closed else f"open with {curve.ends} ends",
+        *(["in space"] if curve.dimension == 3 else []),
+        _count(len(curve.control_points), "point"),
+        _count(curve.segment_count, "segment"),
+    ]
+    return f"{item.name}: {', '.join(parts)}; {_modes(curve)}"
+
+
+def _modes(curve: Curve) -> str:
+    """Tell the modes in order along the curve, or only how many there are of each if that would be long."""
+    runs: list[tuple[Mode, list[int]]] = [
+        (mode, [number for number, _ in run])
+        for mode, run in groupby(enumerate(curve.modes, curve.first_segment), key=lambda pair: pair[1])
+    ]
+    if len(runs) > _MOST_RUNS:
+        counts = ((curve.modes.count(mode), mode.value) for mode in Mode)
+        return ", ".join(f"{count} {mode}" for count, mode in counts if count)
+    if len(runs) == 1:
+        return f"all {runs[0][0].value}" if curve.segment_count > 1 else runs[0][0].value
+    spans = (
+        (str(numbers[0]) if len(numbers) == 1 else f"{numbers[0]}–{numbers[-1]}", mode.value)
+        for mode, numbers in runs
+    )
+    return "segments " + ", ".join(f"{span} {mode}" for span, mode in spans)
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

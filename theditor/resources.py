@@ -1,0 +1,40 @@
+"""Where the gallery and other resources lie: inside an installed package, or beside it in the repository."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+_PACKAGE = Path(__file__).resolve().parent
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """One drawing of the gallery: a short name, a title, what it shows and what to try, and its file."""
+
+    name: str
+    title: str
+    about: str
+    path: Path
+
+
+def resource(name: str) -> Path:
+    """Return the path of a resource, a file or folder such as ``"gallery"``.
+
+    Raises
+    ------
+    FileNotFoundError
+        If it is neither in the installed package nor in a repository around it.
+    """
+    for folder in (_PACKAGE / "_resources", _PACKAGE.parent / "resources"):
+        if (folder / name).exists():
+            return folder / name
+    raise FileNotFoundError(f"theditor's resource {name!r} is missing: install theditor again.")
+
+
+def gallery() -> tuple[Picture, ...]:
+    """Return the pictures of the gallery in the order to show them: the paper's figures, known curves."""
+    folder = resource("gallery")
+    entries = json.loads((folder / "index.json").read_text("utf-8"))
+    return tuple(Picture(**entry, path=folder / f"{entry['name']}.json") for entry in entries)
