@@ -1,4 +1,4 @@
-"""TH-type uniform B-splines: curves that are trigonometric, hyperbolic or interpolating segment by segment."""
+"""TH-type uniform B-splines: one curve, trigonometric, hyperbolic or interpolating by segments."""
 
 from theditor.spline.basis import (
     CONVEX_HULL_RANGE,

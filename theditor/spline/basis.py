@@ -5,10 +5,12 @@ Each segment of a curve mixes two pairs of generators, on t in [0, 1] with κ = 
     s(t) = (1 − cos(πt/2))/2    S(t) = ∫s    trigonometric
     h(t) = κ (cosh t − 1)       H(t) = ∫h    hyperbolic
 
-A shape parameter λ blends them, r = (1−λ)s + λh for the quadratic and R = (1−λ)S + λH for the cubic, so that
-everything is affine in λ. Source: J. Xie, "A Geometric Modeling Method Based on TH-Type Uniform B-Splines",
-Mathematical Problems in Engineering 2014, 242469; several of its printed formulas carry misprints, and the forms
-here are derived from the definitions above.
+A shape parameter λ blends them, r = (1−λ)s + λh for the quadratic and R = (1−λ)S + λH for the cubic, so
+that everything is affine in λ.
+
+Source: J. Xie, "A Geometric Modeling Method Based on TH-Type Uniform B-Splines", Mathematical Problems in
+Engineering 2014, 242469. Several formulas printed there carry misprints; the forms here are derived from the
+definitions above.
 """
 
 from enum import Enum
@@ -32,7 +34,7 @@ CONVEX_HULL_RANGE: Final[dict[int, tuple[float, float]]] = {
 """The closed range of λ in which no basis function of that degree is negative."""
 
 JOINT_SLOPE_ZERO: Final = -2.6481961715882543
-"""The λ at which the slope r'(1; λ) vanishes: a quadratic stands still at the joint, a cubic is flat there."""
+"""The λ at which r'(1; λ) vanishes: there a quadratic stands still at the joint, a cubic has no curvature."""
 
 _KAPPA: Final = float(np.e / (np.e - 1) ** 2)
 

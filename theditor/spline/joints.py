@@ -2,11 +2,12 @@
 
 A segment is a straight part plus one bend vector W at each of its two joints, W_start and W_end:
 
-    quadratic    P − r(1−t; λ_start) W_start + r(t; λ_end) W_end,                 W the polygon's edge at the joint
-    cubic        (1−t) P + t P' + R(1−t; λ_start) W_start + R(t; λ_end) W_end,    W the second difference there
+    quadratic    P − r(1−t; λ_start) W_start + r(t; λ_end) W_end
+    cubic        (1−t) P + t P' + R(1−t; λ_start) W_start + R(t; λ_end) W_end
 
-A clamped end needs no extra control points in this form: its edge counts twice (quadratic), or its second
-difference is zero (cubic). Arrays are coordinate-major, (d, k), which keeps each coordinate contiguous.
+A quadratic's W is the polygon's edge at the joint, a cubic's the second difference of the control points
+there. A clamped end needs no extra control points in this form: its edge counts twice (quadratic), or its
+second difference is zero (cubic). Arrays are coordinate-major, (d, k): each coordinate is contiguous.
 """
 
 from typing import TYPE_CHECKING, NamedTuple
@@ -30,7 +31,7 @@ class Segments(NamedTuple):
     lambda_start: Floats  # (k,)
     lambda_end: Floats  # (k,)
 
-    def take(self, indices: NDArray[np.intp] | slice) -> "Segments":
+    def take(self, indices: NDArray[np.intp]) -> "Segments":
         """Return those of the segments, in the given order."""
         return Segments(*(part[..., indices] for part in self))
 

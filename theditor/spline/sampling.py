@@ -2,9 +2,9 @@
 
 One strategy serves all: since the basis is affine in λ, a segment's points are a fixed combination of five
 (quadratic) or six (cubic) rows of features: its straight part, its two bend vectors, and these times λ. The
-features of a block of segments, kept coordinate by coordinate and small enough to stay in the cache, times the
-matrix of the generators at the wanted t give all the block's points in one matrix product, written straight into
-place. Writing the result is then the limit.
+features of a block of segments, kept coordinate by coordinate and small enough to stay in the cache, times
+the matrix of the generators at the wanted t give all the block's points in one matrix product, written
+straight into place. Writing the result is then the limit.
 """
 
 from dataclasses import dataclass
@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from theditor.spline import joints
-from theditor.spline.basis import CONVEX_HULL_RANGE, JOINT_SLOPE_ZERO, Floats, hyperbolic, trigonometric
+from theditor.spline import bounds, joints
+from theditor.spline.basis import Floats, hyperbolic, trigonometric
 from theditor.spline.checks import clean_indices
 
 if TYPE_CHECKING:
@@ -50,14 +50,15 @@ def sample(curve: "Curve", per_segment: int, out: Floats | None = None) -> Float
     if curve.closed:
         out[:, -1] = out[:, 0]
     else:
-        _fill(segments.take(slice(-1, None)), matrix[:, -1:], out[:, -1:].reshape(shape[0], 1, 1))
+        last = segments.take(np.array([count - 1]))
+        _fill(last, matrix[:, -1:], out[:, -1:].reshape(shape[0], 1, 1))
     return out.T
 
 
 def changed_segments(old: "Curve", new: "Curve") -> NDArray[np.intp] | None:
     """Return which segments may differ between two curves, ascending.
 
-    A segment counts as changed when one of the control points or active λ that define it differs, so the others
+    A segment counts as changed when one of the control points or active λ that define it differs. The others
     are equal to the last bit, and so are their modes.
 
     Returns
@@ -138,7 +139,11 @@ def segment_bounds(curve: "Curve", segments: ArrayLike | None = None) -> tuple[F
     ValueError
         If there is no such segment.
     """
-    low, high = _boxes(_chosen(curve, segments)[1], curve.degree)
+    if segments is None:
+        low, high = curve.boxes
+    else:
+        chosen = clean_indices(segments, curve.segment_count, "segment")
+        low, high = bounds.boxes(joints.take_segments(curve, chosen), curve.degree)
     return low.T, high.T
 
 
@@ -147,8 +152,8 @@ def intervals_for(
 ) -> NDArray[np.intp]:
     """Return into how many equal steps of t to cut segments so that chords stay close to them.
 
-    A chord over a step h is nowhere further from the curve than h²/8·max|C''|; the bound used for |C''| adds up
-    the greatest bends of both joints, so it errs by some factor of two on the safe side.
+    A chord over a step h is nowhere further from the curve than h²/8·max|C''|; the bound used for |C''| adds
+    up the greatest bends of both joints, so it errs by some factor of two on the safe side.
 
     Parameters
     ----------
@@ -170,7 +175,10 @@ def intervals_for(
     ValueError
         If there is no such segment, `tolerance` is not a positive number or `most` not a positive integer.
     """
-    return _intervals(_chosen(curve, segments)[1], curve.degree, tolerance, most)
+    if segments is None:
+        return _intervals(curve.turning, tolerance, most)
+    chosen = clean_indices(segments, curve.segment_count, "segment")
+    return _intervals(bounds.turning(joints.take_segments(curve, chosen), curve.degree), tolerance, most)
 
 
 def sample_adaptively(
@@ -197,26 +205,31 @@ def sample_adaptively(
     ValueError
         As `intervals_for` does, or if a corner has not one number for each coordinate.
     """
-    chosen, parts = _chosen(curve, segments)
+    if segments is None:
+        chosen = np.arange(curve.segment_count)
+    else:
+        chosen = clean_indices(segments, curve.segment_count, "segment")
     if low is not None or high is not None:
-        box_low, box_high = _boxes(parts, curve.degree)
+        box_low, box_high = curve.boxes
         seen = (box_high >= _corner(low, -np.inf, curve)) & (box_low <= _corner(high, np.inf, curve))
-        visible = np.logical_and.reduce(seen, axis=0)
-        if not visible.all():
-            kept = np.flatnonzero(visible)
-            chosen, parts = chosen[kept], parts.take(kept)
-    intervals = _intervals(parts, curve.degree, tolerance, 512)
+        chosen = chosen[np.logical_and.reduce(seen, axis=0)[chosen]]
+    intervals = _intervals(curve.turning[chosen], tolerance, 512)
     starts = np.concatenate(([0], np.cumsum(intervals + 1)))
     points = np.empty((curve.dimension, starts[-1]))
-    for count in np.flatnonzero(np.bincount(intervals)):
+    for count in np.flatnonzero(np.bincount(intervals)).tolist():
         matrix = _generators(count, curve.degree)
         group = np.flatnonzero(intervals == count)
+        parts = curve.joint_form
+        if len(group) < curve.segment_count:
+            parts = parts.take(chosen[group])
         if len(group) == len(chosen):
-            _fill(parts, matrix, points.reshape(len(points), len(group), count + 1))
-        else:
-            part = np.empty((len(points), len(group), count + 1))
-            _fill(parts.take(group), matrix, part)
-            points[:, starts[group][:, None] + np.arange(count + 1)] = part
+            _fill(parts, matrix, points.reshape(len(points), -1, count + 1))
+            break
+        part = np.empty((len(points), len(group), count + 1))
+        _fill(parts, matrix, part)
+        places = starts[group, None] + np.arange(count + 1)
+        for axis, values in enumerate(part):
+            points[axis][places] = values
     return Samples(chosen, intervals, starts, points.T)
 
 
@@ -251,70 +264,16 @@ def _fill(segments: joints.Segments, matrix: Floats, out: Floats) -> None:
             np.matmul(rows[axis].T, matrix, out=out[axis, block])
 
 
-def _boxes(segments: joints.Segments, degree: int) -> tuple[Floats, Floats]:
-    """Return the corners, (d, k) each, of boxes around the segments."""
-    low = np.minimum(segments.start, segments.end)
-    high = np.maximum(segments.start, segments.end)
-    size = np.maximum(np.abs(low), np.abs(high))
-    for bend, lam, sign in (
-        (segments.bend_start, segments.lambda_start, -1 if degree == 2 else 1),
-        (segments.bend_end, segments.lambda_end, 1),
-    ):
-        least, greatest = _range(lam, degree)
-        one, other = sign * least * bend, sign * greatest * bend
-        low += np.minimum(one, other)
-        high += np.maximum(one, other)
-        size += np.abs(bend) * (1 + np.abs(lam))
-    size *= 1e-15  # what rounding may add to a computed point
-    low -= size
-    high += size
-    return low, high
-
-
-def _range(lam: Floats, degree: int) -> tuple[Floats, Floats]:
-    """Return bounds of r(t; λ), or of R(t; λ) for the cubic, over 0 ≤ t ≤ 1.
-
-    Both fall as λ rises, since h ≤ s. Up to the convex-hull range's end they are not negative; beyond it, each unit
-    of λ lowers them by no more than the depth of h − s (H − S). The quadratic's is at most 1/2 from the λ of slope
-    zero on; the cubic's, as long as it is not negative, is greatest at t = 1.
-    """
-    largest = CONVEX_HULL_RANGE[degree][1]
-    if degree == 2:
-        depth = 0.038079  # at t = 0.7023; rounded up
-        greatest = 0.5 + depth * np.maximum(JOINT_SLOPE_ZERO - lam, 0)
-    else:
-        end = np.ones(1)
-        free = trigonometric(end, -1)
-        depth = free - hyperbolic(end, -1)
-        greatest = free - depth * np.minimum(lam, largest)
-    return -depth * np.maximum(lam - largest, 0), greatest
-
-
-def _intervals(segments: joints.Segments, degree: int, tolerance: float, most: int) -> NDArray[np.intp]:
+def _intervals(bound: Floats, tolerance: float, most: int) -> NDArray[np.intp]:
     if not 0 < tolerance < np.inf:
         raise ValueError(f"tolerance must be a positive number, not {tolerance!r}")
     _check_positive(most, "most")
     limit = int(most).bit_length() - 1
-    bound = np.zeros(segments.start.shape[1])
-    for bend, lam in ((segments.bend_start, segments.lambda_start), (segments.bend_end, segments.lambda_end)):
-        bound += np.sqrt(np.einsum("dk,dk->k", bend, bend)) * _steepest(lam, degree)
-    # A step of 2⁻ᵉ will do if 4ᵉ ≥ bound / (8 tolerance); frexp gives the next power of two above the ratio.
+    # A step of 2⁻ᵉ will do if 4ᵉ ≥ bound / (8 tolerance); frexp gives a power of two above the ratio.
     ratio = np.minimum(bound, 8 * tolerance * 4.0**limit) / (8 * tolerance)
     doublings = (np.frexp(ratio)[1] + 1) // 2
-    return np.left_shift(1, np.clip(doublings, 0, limit)).astype(np.intp)
-
-
-def _steepest(lam: Floats, degree: int) -> Floats:
-    """Return a bound of |r''(t; λ)|, or of |R''(t; λ)| for the cubic, over 0 ≤ t ≤ 1."""
-    end = np.ones(1)
-    if degree == 2:
-        free, pulled = trigonometric(0 * end, 2), hyperbolic(end, 2)
-        apart = pulled
-    else:
-        free, pulled = trigonometric(end, 1), hyperbolic(end, 1)
-        apart = pulled - free
-    size = np.abs(lam)
-    return np.minimum(np.abs(1 - lam) * free + size * pulled, free + size * apart)
+    steps: NDArray[np.intp] = np.left_shift(np.intp(1), np.clip(doublings, 0, limit))
+    return steps
 
 
 def _mark(changed: NDArray[np.bool_], places: NDArray[np.intp], reach: range, closed: bool) -> None:
@@ -326,13 +285,6 @@ def _mark(changed: NDArray[np.bool_], places: NDArray[np.intp], reach: range, cl
         else:
             near = near[(near >= 0) & (near < len(changed))]
         changed[near] = True
-
-
-def _chosen(curve: "Curve", segments: ArrayLike | None) -> tuple[NDArray[np.intp], joints.Segments]:
-    if segments is None:
-        return np.arange(curve.segment_count), curve.joint_form
-    chosen = clean_indices(segments, curve.segment_count, "segment")
-    return chosen, joints.take_segments(curve, chosen)
 
 
 def _corner(corner: ArrayLike | None, otherwise: float, curve: "Curve") -> Floats:
