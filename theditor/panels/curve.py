@@ -1,0 +1,220 @@
+"""The curve panel: name, degree, ends, colour and width of the current curve."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap, QStandardItemModel
+from PySide6.QtWidgets import QColorDialog, QGridLayout, QLabel, QLineEdit, QToolButton, QWidget
+
+from theditor.drawing import DrawingError, Item
+from theditor.drawing.drawing import NAME_LENGTH, WIDTH_RANGE
+from theditor.model import Document, Selection
+from theditor.panels import words
+from theditor.panels.number_field import NumberField
+from theditor.panels.parts import GAP, ComboBox, column, describe, heading, row
+from theditor.spline import Curve, Ends, fewest_points
+
+_DEGREES = {2: "Quadratic · C¹", 3: "Cubic · C²"}
+_WIDTH_STEP = 0.5
+
+
+class _EndsChoice(NamedTuple):
+    closed: bool
+    ends: Ends
+    label: str
+    edit: str
+
+
+_ENDS = (
+    _EndsChoice(False, "free", "Open, free ends", "Free curve's ends"),
+    _EndsChoice(False, "clamped", "Open, clamped ends", "Clamp curve's ends"),
+    _EndsChoice(True, "free", "Closed", "Close curve"),
+)
+
+
+class CurvePanel(QWidget):
+    """Shows and edits what the current curve is as a whole."""
+
+    announce = Signal(str)
+    """A sentence for the status line."""
+
+    def __init__(self, document: Document, selection: Selection, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document, self._selection = document, selection
+        self._item: Item | None = None
+        self._shown_kind: object = None
+
+        self.name = QLineEdit()
+        self.name.setMaxLength(NAME_LENGTH)
+        self.degree = ComboBox()
+        self.degree.addItems(list(_DEGREES.values()))
+        self.ends = ComboBox()
+        self.ends.addItems([choice.label for choice in _ENDS])
+        self.colour = QToolButton()
+        self.colour.setIconSize(QSize(36, 14))
+        self.width_field = NumberField(*WIDTH_RANGE)
+        self._controls = {
+            self.name: ("Name of the curve", "Name of the curve"),
+            self.degree: ("Degree", "Degree: quadratic curves are C¹, cubic ones C²"),
+            self.ends: (
+                "Ends",
+                "How the curve ends: free as the basis has it, clamped to its end points, or closed",
+            ),
+            self.colour: ("Line colour", "Colour of the line, in lists and exports"),
+            self.width_field: ("Line width", "Width of the line in pixels, 0.1 to 100"),
+        }
+
+        layout = column(self)
+        layout.addWidget(heading("Curve"))
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(GAP)
+        grid.setVerticalSpacing(GAP)
+        grid.setColumnStretch(1, 1)
+        grid.setColumnStretch(2, 1)
+        for line, (text, control) in enumerate(
+            (("Name", self.name), ("Degree", self.degree), ("Line", self.colour))
+        ):
+            label = QLabel(text)
+            label.setBuddy(control)
+            grid.addWidget(label, line, 0)
+        grid.addWidget(self.name, 0, 1, 1, 2)
+        grid.addWidget(self.degree, 1, 1)
+        grid.addWidget(self.ends, 1, 2)
+        grid.addWidget(self.colour, 2, 1)
+        width_label = QLabel("Width")
+        width_label.setBuddy(self.width_field)
+        width_row = row(width_label, self.width_field)
+        width_row.setStretch(1, 1)
+        grid.addLayout(width_row, 2, 2)
+        layout.addLayout(grid)
+
+        self.name.editingFinished.connect(self._rename)
+        self.degree.activated.connect(self._set_degree)
+        self.ends.activated.connect(self._set_ends)
+        self.colour.clicked.connect(self._choose_colour)
+        self.width_field.entered.connect(lambda width: self._set_style("Change line width", width=width))
+        self.width_field.stepped.connect(self._step_width)
+        self.width_field.refused.connect(self.announce)
+        document.changed.connect(self._follow)
+        selection.changed.connect(self._follow)
+        self._follow()
+
+    # Edits
+
+    def _rename(self) -> None:
+        item = self._item
+        if item is None or self.name.text() == item.name:
+            return
+        try:
+            self._set_style("Rename curve", name=self.name.text())
+        except DrawingError as error:
+            self.name.setText(item.name)
+            self.announce.emit(str(error))
+
+    def _set_style(self, text: str, merge: object = None, **changes: Any) -> None:
+        if self._item is not None:
+            drawing = self._document.drawing.with_item(self._selection.curve, self._item.with_(**changes))
+            self._document.apply(text, drawing, merge)
+
+    def _step_width(self, steps: int) -> None:
+        if self._item is not None:
+            least, most = WIDTH_RANGE
+            width = min(max(self._item.width + steps * _WIDTH_STEP, least), most)
+            self._set_style("Change line width", merge=self._selection.curve, width=width)
+
+    def _set_degree(self, choice: int) -> None:
+        degree = list(_DEGREES)[choice]
+        kind = "quadratic" if degree == 2 else "cubic"
+        self._set_curve(f"Make curve {kind}", degree=degree)
+
+    def _set_ends(self, choice: int) -> None:
+        chosen = _ENDS[choice]
+        if chosen.closed:
+            self._set_curve(chosen.edit, closed=True)
+        else:
+            self._set_curve(chosen.edit, closed=False, ends=chosen.ends)
+
+    def _set_curve(self, text: str, **changes: Any) -> None:
+        if self._item is not None:
+            self._document.apply_curve(text, self._selection.curve, self._item.curve.with_(**changes))
+
+    def _choose_colour(self) -> None:
+        if self._item is not None:
+            colour = QColorDialog.getColor(QColor(self._item.color), self, "Colour of the line")
+            if colour.isValid():
+                self._set_style("Recolour curve", color=colour.name())
+
+    # Following
+
+    def _follow(self) -> None:
+        item = self._selection.item
+        if item is self._item:
+            return
+        old, self._item = self._item, item
+        if item is None:
+            self.name.clear()
+            self._shown_kind = None
+        else:
+            self._show_style(old, item)
+            self._show_kind(item.curve)
+        if item is None or old is None or (item.locked, item.name) != (old.locked, old.name):
+            self._show_guard()
+
+    def _show_style(self, old: Item | None, item: Item) -> None:
+        if old is None or old.name != item.name:
+            self.name.setText(item.name)
+        if old is None or old.color != item.color:
+            self.colour.setIcon(_swatch(item.color))
+            self.colour.setAccessibleDescription(item.color)
+        self.width_field.show_value(item.width)
+
+    def _show_kind(self, curve: Curve) -> None:
+        """Show degree and ends, and bar what the curve has too few points for."""
+        count = len(curve.control_points)
+        kind = (count, curve.degree, curve.closed, curve.ends)
+        if kind == self._shown_kind:
+            return
+        self._shown_kind = kind
+        self.degree.setCurrentIndex(list(_DEGREES).index(curve.degree))
+        ends = next(i for i, c in enumerate(_ENDS) if (c.closed if curve.closed else c.ends == curve.ends))
+        self.ends.setCurrentIndex(ends)
+        for i, degree in enumerate(_DEGREES):
+            _allow(self.degree, i, count, fewest_points(degree, curve.closed, curve.ends))
+        for i, choice in enumerate(_ENDS):
+            _allow(self.ends, i, count, fewest_points(curve.degree, choice.closed, choice.ends))
+
+    def _show_guard(self) -> None:
+        item = self._item
+        reason = ""
+        if item is None:
+            reason = "There is no curve: add one in the list of curves."
+        elif item.locked:
+            reason = words.locked_reason(item.name)
+        for control, (name, tip) in self._controls.items():
+            control.setEnabled(not reason)
+            describe(control, name, reason or tip)
+
+
+def _allow(combo: ComboBox, index: int, count: int, needed: int) -> None:
+    model = combo.model()
+    assert isinstance(model, QStandardItemModel)
+    enough = count >= needed
+    model.item(index).setEnabled(enough)
+    model.item(index).setToolTip(
+        "" if enough else f"Needs at least {needed} control points; the curve has {count}."
+    )
+
+
+def _swatch(colour: str) -> QIcon:
+    pixmap = QPixmap(72, 28)
+    pixmap.setDevicePixelRatio(2.0)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(QColor(colour))
+    painter.drawRoundedRect(0, 0, 36, 14, 3, 3)
+    painter.end()
+    return QIcon(pixmap)

@@ -1,0 +1,192 @@
+"""The shape panel: λ of the selected points or segments, by slider, exact number or mode."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QLabel, QToolButton, QWidget
+
+from theditor.model import Document, Selection
+from theditor.panels import words
+from theditor.panels.lambda_edit import LambdaGesture, editable, set_lambdas, step_lambdas
+from theditor.panels.lambda_slider import LambdaSlider
+from theditor.panels.number_field import NumberField
+from theditor.panels.parts import column, describe, heading, row, segmented
+from theditor.spline import MAX_LAMBDA, Curve, Mode, lambda_of
+
+_FIELD_TIP = (
+    "Exact λ: 0 is trigonometric, 1 hyperbolic, λ* interpolating, anything else a blend. Arrow keys step."
+)
+_SLIDER_TIP = (
+    "Drag λ; T, H and λ* attract it unless Shift is held, Ctrl drags ten times finer. "
+    "The shaded band keeps the curve in the convex hull of its points."
+)
+_MODE_TIPS = {
+    Mode.TRIGONOMETRIC: "Trigonometric: λ = 0",
+    Mode.HYPERBOLIC: "Hyperbolic: λ = 1",
+    Mode.INTERPOLATING: "Interpolating: λ = λ*, the curve meets its control points",
+}
+_ALL_TIP = "Act on every λ of the curve: takes the selection of points and segments away."
+
+
+class ShapePanel(QWidget):
+    """Edits the λ of the selected points, else of the selected segments, else every λ of the curve."""
+
+    announce = Signal(str)
+    """A sentence for the status line."""
+
+    def __init__(self, document: Document, selection: Selection, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document, self._selection = document, selection
+        self._gesture: LambdaGesture | None = None
+        self._targets = editable(selection)
+        self._curve: Curve | None = None
+        self._scope: object = None
+
+        self._heading = heading("SHAPE", capitals=False)
+        self.slider = LambdaSlider()
+        self.field = NumberField(-MAX_LAMBDA, MAX_LAMBDA)
+        self.mode_buttons = {mode: QToolButton() for mode in words.MODE_LETTERS}
+        for mode, button in self.mode_buttons.items():
+            button.setText(words.MODE_LETTERS[mode])
+            button.setCheckable(True)
+            button.clicked.connect(lambda _=False, mode=mode: self._set_mode(mode))
+        self.all_button = QToolButton()
+        self.all_button.setText("All")
+        self.all_button.setCheckable(True)
+        self.all_button.clicked.connect(self._act_on_all)
+        label = QLabel("λ")
+        label.setBuddy(self.field)
+
+        layout = column(self)
+        layout.addWidget(self._heading)
+        layout.addWidget(self.slider)
+        controls = row(label, self.field)
+        controls.setStretch(1, 1)
+        controls.addLayout(segmented(list(self.mode_buttons.values())))
+        controls.addWidget(self.all_button)
+        layout.addLayout(controls)
+
+        self.slider.pressed.connect(self._begin)
+        self.slider.moved.connect(self._preview)
+        self.slider.released.connect(self._commit)
+        self.slider.cancelled.connect(self._cancel)
+        self.slider.stepped.connect(self._step)
+        self.slider.jumped.connect(lambda value: self._set(value, run=True))
+        self.field.entered.connect(self._set)
+        self.field.stepped.connect(self._step)
+        self.field.refused.connect(self._refuse)
+        document.changed.connect(self._follow)
+        selection.changed.connect(self._follow)
+        self._follow()
+
+    # Edits
+
+    def _begin(self) -> None:
+        self._gesture = LambdaGesture(self._document, self._selection)
+
+    def _preview(self, value: float) -> None:
+        if self._gesture is not None:
+            self._gesture.preview(self._targets, value)
+
+    def _commit(self) -> None:
+        if self._gesture is not None:
+            self._gesture.commit()
+            self._gesture = None
+
+    def _cancel(self) -> None:
+        if self._gesture is not None:
+            self._gesture.cancel()
+            self._gesture = None
+
+    def _set(self, value: float, run: bool = False) -> None:
+        set_lambdas(self._document, self._selection, self._targets, value, run=run)
+        self._show_values()
+
+    def _step(self, count: int, fine: bool = False) -> None:
+        step_lambdas(self._document, self._selection, self._targets, count, fine=fine)
+
+    def _set_mode(self, mode: Mode) -> None:
+        if self._curve is not None:
+            self._set(lambda_of(mode, self._curve.degree))
+
+    def _act_on_all(self) -> None:
+        self._selection.select(points=(), segments=())
+        self._show_scope()
+
+    def _refuse(self, sentence: str) -> None:
+        self.field.setToolTip(sentence)
+        self.announce.emit(sentence)
+
+    # Following
+
+    def _follow(self) -> None:
+        item, selection = self._selection.item, self._selection
+        curve = item.curve if item is not None else None
+        guard = (item.locked, item.name) if item is not None else None
+        scope = (selection.curve, selection.points, selection.segments, guard)
+        same_scope = scope == self._scope
+        if same_scope and curve is self._curve:
+            return
+        old = self._curve
+        same_kind = curve is not None and old is not None and _kind(curve) == _kind(old)
+        same_values = curve is not None and old is not None and np.array_equal(curve.lambdas, old.lambdas)
+        self._scope, self._curve = scope, curve
+        if not (same_scope and same_kind):
+            self._targets = editable(selection)
+            self._show_scope()
+        if not (same_scope and same_kind and same_values):
+            self._show_values()
+
+    def _show_scope(self) -> None:
+        """Say which λ the controls act on, and disable them, with the reason, if there is nothing to do."""
+        item, selection = self._selection.item, self._selection
+        reason = ""
+        title = ""
+        if item is not None:
+            indices = selection.lambda_indices().tolist()
+            if selection.points:
+                title = f"{words.symbols('λ', indices)} ({words.counted(len(indices), 'point')} selected)"
+            elif selection.segments:
+                named = words.segments_named(item.curve, selection.segments)
+                title = f"{words.symbols('λ', indices)} ({named})" if indices else f"({named})"
+            else:
+                title = "all λ"
+            if item.locked:
+                reason = words.locked_reason(item.name)
+            elif not self._targets.size:
+                reason = words.inactive_reason(item.curve, indices)
+        else:
+            reason = "There is no curve: add one in the list of curves."
+        self._heading.setText(f"SHAPE · {title}" if title else "SHAPE")
+        self.slider.setEnabled(not reason)
+        self.field.setEnabled(not reason)
+        describe(self.slider, "Shape parameter λ, slider", reason or _SLIDER_TIP)
+        describe(self.field, "Shape parameter λ, exact", reason or _FIELD_TIP)
+        for mode, button in self.mode_buttons.items():
+            button.setEnabled(not reason)
+            describe(button, f"Make λ {mode.value}", reason or _MODE_TIPS[mode])
+        all_chosen = item is not None and not selection.points and not selection.segments
+        self.all_button.setChecked(all_chosen)
+        self.all_button.setEnabled(item is not None)
+        describe(
+            self.all_button, "Act on every λ", "The controls act on every λ." if all_chosen else _ALL_TIP
+        )
+
+    def _show_values(self) -> None:
+        curve = self._curve
+        if curve is None:
+            self.slider.show_values([], 3)
+            self.field.show_value(None)
+            return
+        shown = self._targets if self._targets.size else self._selection.lambda_indices()
+        values = curve.lambdas[shown]
+        self.slider.show_values(values, curve.degree)
+        common = float(values[0]) if values.size and (values == values[0]).all() else None
+        self.field.show_value(common)
+        for mode, button in self.mode_buttons.items():
+            button.setChecked(common == lambda_of(mode, curve.degree))
+
+
+def _kind(curve: Curve) -> tuple[object, ...]:
+    return len(curve.control_points), curve.degree, curve.closed, curve.ends
