@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap, QStandardItemModel
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QStandardItemModel
 from PySide6.QtWidgets import QColorDialog, QGridLayout, QLabel, QLineEdit, QToolButton, QWidget
 
 from theditor.drawing import DrawingError, Item
 from theditor.drawing.drawing import NAME_LENGTH, WIDTH_RANGE
-from theditor.model import Document, Selection
+from theditor.model import Document, Selection, colours_for
 from theditor.panels import words
 from theditor.panels.number_field import NumberField
 from theditor.panels.parts import GAP, ComboBox, column, describe, heading, row
+from theditor.panels.rows import swatch_outline
 from theditor.spline import Curve, Ends, fewest_points
 
 _DEGREES = {2: "Quadratic · C¹", 3: "Cubic · C²"}
@@ -166,9 +167,18 @@ class CurvePanel(QWidget):
         if old is None or old.name != item.name:
             self.name.setText(item.name)
         if old is None or old.color != item.color:
-            self.colour.setIcon(_swatch(item.color))
-            self.colour.setAccessibleDescription(item.color)
+            self._show_colour(item.color)
         self.width_field.show_value(item.width)
+
+    def _show_colour(self, colour: str) -> None:
+        self.colour.setIcon(_swatch(colour, swatch_outline(colours_for(self.palette()))))
+        self.colour.setAccessibleDescription(colour)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Draw the swatch for the new colours."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and self._item is not None:
+            self._show_colour(self._item.color)
 
     def _show_kind(self, curve: Curve) -> None:
         """Show degree and ends, and bar what the curve has too few points for."""
@@ -207,14 +217,14 @@ def _allow(combo: ComboBox, index: int, count: int, needed: int) -> None:
     )
 
 
-def _swatch(colour: str) -> QIcon:
+def _swatch(colour: str, outline: QColor) -> QIcon:
     pixmap = QPixmap(72, 28)
     pixmap.setDevicePixelRatio(2.0)
     pixmap.fill(Qt.GlobalColor.transparent)
     painter = QPainter(pixmap)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setPen(QPen(outline, 1.0))
     painter.setBrush(QColor(colour))
-    painter.drawRoundedRect(0, 0, 36, 14, 3, 3)
+    painter.drawRoundedRect(QRectF(0.5, 0.5, 35, 13), 3, 3)
     painter.end()
     return QIcon(pixmap)

@@ -22,7 +22,7 @@ from theditor.drawing import Drawing, Item
 from theditor.drawing.drawing import NAME_LENGTH
 from theditor.model import colours_for
 from theditor.panels.parts import MARGIN
-from theditor.panels.rows import ROW_HEIGHT, SWATCH, RowList, paint_ground, paint_swatch
+from theditor.panels.rows import ROW_HEIGHT, SWATCH, RowList, paint_ground, paint_swatch, swatch_outline
 
 ModelIndex = QModelIndex | QPersistentModelIndex
 NO_INDEX = QModelIndex()
@@ -198,7 +198,7 @@ class _CurveDelegate(QStyledItemDelegate):
             _paint_lock(painter, QRectF(lock_rect(row)), item.locked, shade)
         painter.setOpacity(1.0 if item.visible else 0.5)
         name = _name_rect(row)
-        paint_swatch(painter, name.left() - SWATCH - 10, row, item.color)
+        paint_swatch(painter, name.left() - SWATCH - 10, row, item.color, swatch_outline(colours))
         painter.setFont(self._view.font())
         painter.setPen(QColor(colours.text))
         text = painter.fontMetrics().elidedText(item.name, Qt.TextElideMode.ElideRight, name.width())

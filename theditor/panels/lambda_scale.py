@@ -141,7 +141,8 @@ class ScaleDrag:
     def move(self, pixels: float, *, fine: bool = False, free: bool = False) -> float:
         """Return λ after the pointer went on by `pixels`.
 
-        The drag is ten times slower if `fine`, and without magnetism if `free`. Between landmarks the value is rounded to what a pixel can tell apart.
+        The drag is ten times slower if `fine`, and without magnetism if `free`. Between landmarks the value
+        is rounded to what a pixel can tell apart.
         """
         self.place += pixels / self.length / (_FINENESS if fine else 1)
         value = float(value_at(self.place))

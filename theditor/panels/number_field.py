@@ -46,7 +46,7 @@ class NumberField(QDoubleSpinBox):
         self.setKeyboardTracking(False)
         self.setButtonSymbols(QAbstractSpinBox.ButtonSymbols.NoButtons)
         # Under a style sheet, Qt gives the text no room unless the missing buttons have a width.
-        self.setStyleSheet("::up-button, ::down-button { width: 0; border: none; }")
+        self.setStyleSheet("::up-button, ::down-button { width: 0; subcontrol-origin: border; }")
         self.lineEdit().setTextMargins(7, 0, 7, 0)
         self.setFont(tabular(self.font()))
         self._show_text()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QListView, QWidget
 
 from theditor.model import Colours
@@ -42,6 +42,13 @@ class RowList(QListView):
         return rows * ROW_HEIGHT + 2 * self.frameWidth()
 
 
+def swatch_outline(colours: Colours) -> QColor:
+    """Return the colour that outlines swatches of people's own colours."""
+    outline = QColor(colours.secondary)
+    outline.setAlphaF(0.55)
+    return outline
+
+
 def paint_ground(painter: QPainter, rect: QRect, selected: bool, hovered: bool, colours: Colours) -> None:
     """Fill a row's ground: selected, under the pointer, or plain."""
     ground = QColor(colours.selection if selected or hovered else colours.panel)
@@ -51,9 +58,13 @@ def paint_ground(painter: QPainter, rect: QRect, selected: bool, hovered: bool, 
     painter.fillRect(rect, ground)
 
 
-def paint_swatch(painter: QPainter, left: int, rect: QRect, colour: str) -> None:
-    """Draw a rounded square of a colour, in the middle of a row."""
-    painter.setPen(Qt.PenStyle.NoPen)
+def paint_swatch(
+    painter: QPainter, left: int, rect: QRect, colour: str, outline: QColor | None = None
+) -> None:
+    """Draw a rounded square of a colour, in the middle of a row; outlined if it may resemble the ground."""
+    painter.setPen(Qt.PenStyle.NoPen if outline is None else QPen(outline, 1.0))
     painter.setBrush(QColor(colour))
     top = rect.top() + (rect.height() - SWATCH) / 2
-    painter.drawRoundedRect(QRectF(left, top, SWATCH, SWATCH), 3, 3)
+    inset = 0.0 if outline is None else 0.5
+    square = QRectF(left, top, SWATCH, SWATCH).adjusted(inset, inset, -inset, -inset)
+    painter.drawRoundedRect(square, 3, 3)
