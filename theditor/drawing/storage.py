@@ -39,7 +39,7 @@ def load(path: str | os.PathLike[str]) -> Drawing:
     """
     try:
         data = _read(Path(path))
-    except OSError as error:
+    except (OSError, ValueError) as error:  # ValueError: no path can be spelt so
         raise DrawingError(f"{shown(path)} cannot be read: {_cause(error)}.") from error
     try:
         return decode(data)
@@ -67,7 +67,7 @@ def save(drawing: Drawing, path: str | os.PathLike[str]) -> None:
         )
     try:
         _replace(Path(os.path.realpath(path)), data)
-    except OSError as error:
+    except (OSError, ValueError) as error:  # ValueError: no path can be spelt so
         raise DrawingError(f"{shown(path)} cannot be saved: {_cause(error)}.") from error
 
 
@@ -127,7 +127,7 @@ def _refuse_unless_regular(status: os.stat_result) -> None:
         raise OSError("it is a device or a pipe, not a file")
 
 
-def _cause(error: OSError) -> str:
-    if error.errno is None:
-        return str(error)
-    return _CAUSES.get(error.errno) or error.strerror or str(error)
+def _cause(error: OSError | ValueError) -> str:
+    if isinstance(error, OSError) and error.errno is not None:
+        return _CAUSES.get(error.errno) or error.strerror
+    return str(error)
