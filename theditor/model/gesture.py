@@ -15,7 +15,11 @@ class Gesture:
     """
 
     def __init__(
-        self, text: str, before: Drawing, show: Callable[[Drawing], None], close: Callable[[Gesture, bool], None]
+        self,
+        text: str,
+        before: Drawing,
+        show: Callable[[Drawing], None],
+        close: Callable[[Gesture, bool], None],
     ) -> None:
         self.text = text
         self.before = before

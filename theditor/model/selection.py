@@ -66,7 +66,9 @@ class Selection(QObject):
             new_curve = -1
         moved = new_curve != self._curve
         new_points = frozenset(points) if points is not None else frozenset() if moved else self._points
-        new_segments = frozenset(segments) if segments is not None else frozenset() if moved else self._segments
+        new_segments = (
+            frozenset(segments) if segments is not None else frozenset() if moved else self._segments
+        )
         self._set(new_curve, new_points, new_segments)
 
     def lambda_indices(self) -> NDArray[np.intp]:
@@ -116,4 +118,6 @@ def _below(indices: frozenset[int], count: int) -> frozenset[int]:
 
 
 def _first_visible(drawing: Drawing) -> int:
-    return next((i for i, item in enumerate(drawing) if item.visible), len(drawing) - 1 if len(drawing) else -1)
+    return next(
+        (i for i, item in enumerate(drawing) if item.visible), len(drawing) - 1 if len(drawing) else -1
+    )

@@ -1,0 +1,5 @@
+"""The canvas: the drawing on the screen, and the mouse on it."""
+
+from theditor.canvas.canvas import Canvas, Pointed, Shown
+
+__all__ = ["Canvas", "Pointed", "Shown"]

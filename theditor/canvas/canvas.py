@@ -1,0 +1,397 @@
+"""The canvas: shows the drawing and hands the mouse to the tools."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QFocusEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPen,
+    QResizeEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QWidget
+
+from theditor.canvas import handles
+from theditor.canvas.curves import CurvesPainter
+from theditor.canvas.fit import fitted
+from theditor.canvas.grid import paint_grid
+from theditor.canvas.hit_test import Hit, PointHit, SegmentHit, nearest_handle, nearest_place
+from theditor.canvas.labels import MOST, paint_labels
+from theditor.canvas.legend import Legend
+from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pan, PickSegment, Pointer
+from theditor.canvas.viewport import Floats, Viewport
+from theditor.canvas.words import describe, hint
+from theditor.drawing import Drawing
+from theditor.model import Colours, Document, Selection, colours_for
+
+ZOOM_STEP = 1.25
+
+
+@dataclass(frozen=True)
+class Shown:
+    """What the canvas shows beside the curves."""
+
+    polygon: bool = True
+    labels: bool = True
+    joints: bool = True
+    modes: bool = True
+    grid: bool = True
+    legend: bool = True
+
+
+@dataclass(frozen=True)
+class Pointed:
+    """What the pointer is over, for the status line; `position` is None when it is outside."""
+
+    position: tuple[float, float] | None
+    over: str
+    hint: str
+    scale: float
+
+
+class Canvas(pg.GraphicsView):
+    """The drawing, live. Edits go through the document; what is selected is the selection's."""
+
+    pointed = Signal(object)
+
+    def __init__(self, document: Document, selection: Selection, parent: QWidget | None = None) -> None:
+        super().__init__(parent, useOpenGL=False)
+        self._document, self._selection = document, selection
+        self._curves = CurvesPainter()
+        self._shown = Shown()
+        self._drag: Drag | None = None
+        self._press: Pointer | None = None
+        self._drag_moved = False
+        self._pointer: Pointer | None = None
+        self._hit: Hit = None
+        self._space = False
+        self._fitted = True
+
+        self._box = pg.ViewBox(lockAspect=True, enableMouse=False, enableMenu=False, defaultPadding=0)
+        self.setCentralItem(self._box)
+        self._box.sigTransformChanged.connect(self._view_changed)
+        self._legend = Legend(self)
+
+        self.setObjectName("canvas")
+        self.setAccessibleName("Canvas: the curves and their control points")
+        self.setAccessibleDescription(
+            "A picture to be edited with the mouse; the λ strip and the segment list offer the same by keyboard."
+        )
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMouseTracking(True)
+        self.setCacheMode(self.CacheModeFlag.CacheNone)
+        self.setViewportUpdateMode(self.ViewportUpdateMode.FullViewportUpdate)
+        self.setMinimumSize(240, 160)
+        document.changed.connect(self._drawing_changed)
+        selection.changed.connect(self._selection_changed)
+
+    # The view
+
+    @property
+    def plane(self) -> Viewport:
+        """Which part of the plane is visible."""
+        area = self._box.viewRect()
+        size = self._box.rect()
+        width, height = max(size.width(), 1.0), max(size.height(), 1.0)
+        centre = area.center()
+        return Viewport(centre.x(), centre.y(), width / area.width(), width, height)
+
+    def show_view(self, x: float, y: float, scale: float) -> None:
+        """Show the plane around a point, at a scale in pixels per unit, within what floats can resolve."""
+        size = self._box.rect()
+        finest = max(1e-9, 1e-11 * max(abs(x), abs(y)))
+        width = min(max(size.width() / scale, finest), 1e14)
+        height = width * size.height() / size.width()
+        self._fitted = False
+        self._box.setRange(QRectF(x - width / 2, y - height / 2, width, height), padding=0)
+
+    def fit(self) -> None:
+        """Show all visible curves with their control points, and go on doing so while the canvas is resized."""
+        size = self._box.rect()
+        self.show_view(*fitted(self._document.drawing, size.width(), size.height()))
+        self._fitted = True
+
+    def zoom(self, factor: float, at: Floats | None = None) -> None:
+        """Enlarge by `factor`, keeping the point at pixel `at` (default the middle) where it is."""
+        plane = self.plane
+        if at is None:
+            at = np.array([plane.width / 2, plane.height / 2])
+        fixed = plane.to_points(at)
+        self.show_view(plane.x, plane.y, plane.scale * factor)
+        now = self.plane
+        away = fixed - now.to_points(at)
+        self.show_view(now.x + float(away[0]), now.y + float(away[1]), now.scale)
+
+    def set_shown(self, **what: bool) -> None:
+        """Show or hide parts, by the names in `Shown`."""
+        self._shown = replace(self._shown, **what)
+        self._legend.setVisible(self._shown.legend and self._shown.modes)
+        self.viewport().update()
+
+    @property
+    def shown(self) -> Shown:
+        """What is shown beside the curves."""
+        return self._shown
+
+    # Painting
+
+    def drawBackground(self, painter: QPainter, rect: QRectF) -> None:
+        """Paint the ground and the grid."""
+        colours = self._colours
+        painter.fillRect(rect, QColor(colours.canvas))
+        if self._shown.grid:
+            paint_grid(painter, self.plane, colours, self.font())
+
+    def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
+        """Paint the curves, then what the current one is held by."""
+        plane, colours = self.plane, self._colours
+        drawing, selection = self._document.drawing, self._selection
+        self._curves.update(drawing, plane)
+        item = selection.item
+        if not len(drawing):
+            self._paint_empty(painter, colours)
+        if item is None or not item.visible:
+            self._curves.paint(painter, drawing, -1, colours, by_mode=False)
+            return
+        curve = self._curves.plane_curve(selection.curve)
+        if self._shown.polygon:
+            handles.paint_polygon(painter, curve, plane, colours)
+        self._curves.paint_halo(painter, selection.curve, selection.segments, plane, colours)
+        self._curves.paint(painter, drawing, selection.curve, colours, by_mode=self._shown.modes)
+        if self._shown.joints:
+            handles.paint_joints(painter, curve, plane, colours)
+        hovered = self._hit.index if isinstance(self._hit, PointHit) else None
+        handles.paint_handles(painter, curve, plane, selection.points, hovered, colours)
+        if self._shown.labels:
+            self._paint_labels(painter, plane, colours)
+        if isinstance(self._drag, Marquee) and self._drag.box is not None:
+            _paint_marquee(painter, *self._drag.box, colours)
+
+    def _paint_labels(self, painter: QPainter, plane: Viewport, colours: Colours) -> None:
+        index = self._selection.curve
+        pixels = plane.to_pixels(self._curves.plane_curve(index).control_points)
+        inside = ((pixels >= 0) & (pixels <= (plane.width, plane.height))).all(axis=1)
+        visible = np.flatnonzero(inside)
+        if len(visible) <= MOST:
+            on_curve = [stroke.lines[:, :2] for stroke in self._curves.trace(index).strokes()]
+            obstacles = np.vstack([np.empty((0, 2)), *on_curve])
+            chosen = self._selection.points
+            paint_labels(painter, visible.tolist(), pixels[visible], obstacles, chosen, colours, self.font())
+
+    def _paint_empty(self, painter: QPainter, colours: Colours) -> None:
+        painter.setPen(QColor(colours.secondary))
+        painter.setFont(self.font())
+        text = "This drawing is empty.\nCurve › Add curve puts one here; File › Open gallery shows examples."
+        painter.drawText(QRectF(self.viewport().rect()), Qt.AlignmentFlag.AlignCenter, text)
+
+    # Following the model
+
+    @property
+    def _colours(self) -> Colours:
+        return colours_for(self.palette())
+
+    def _view_changed(self, *_: Any) -> None:
+        self._hover()
+        self.viewport().update()
+
+    def _drawing_changed(self, old: Drawing, new: Drawing) -> None:
+        if self._drag is None:
+            self._hover()
+        self.viewport().update()
+
+    def _selection_changed(self) -> None:
+        self.viewport().update()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Repaint in the colours of another theme."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_legend"):
+            self.viewport().update()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep what was fitted fitted, and the legend top centre."""
+        super().resizeEvent(event)
+        if self.closed or not hasattr(self, "_legend"):
+            return
+        if self._fitted:
+            self.fit()
+        self._legend.resize(self._legend.sizeHint())
+        self._legend.move((self.width() - self._legend.width()) // 2, 12)
+
+    # The mouse and the keys
+
+    def hit(self, at: Floats) -> Hit:
+        """What would be grabbed at a pixel: handles before curves, the current curve before others."""
+        drawing, plane = self._document.drawing, self.plane
+        self._curves.update(drawing, plane)
+        current, item = self._selection.curve, self._selection.item
+        if item is not None and item.visible and not item.locked:
+            pixels = plane.to_pixels(self._curves.plane_curve(current).control_points)
+            index = nearest_handle(pixels, at)
+            if index is not None:
+                return PointHit(index)
+        best: tuple[float, int, float] | None = None
+        owner = -1
+        for i in sorted(range(len(drawing)), key=lambda i: (i != current, -i)):
+            if not drawing[i].visible or drawing[i].locked:
+                continue
+            place = nearest_place(self._curves.trace(i).strokes(), at)
+            if place is not None and (best is None or place[0] < best[0] - 2.0):
+                best, owner = place, i
+        return None if best is None else SegmentHit(owner, best[1], best[2])
+
+    def _hover(self) -> None:
+        """Find what is under the pointer and tell: halo, cursor, status line."""
+        before = self._hit
+        self._hit = self.hit(self._pointer.at) if self._pointer is not None and self._drag is None else None
+        if self._drag is None:
+            self._set_cursor()
+        if isinstance(before, PointHit) or isinstance(self._hit, PointHit):
+            self.viewport().update()
+        self._tell()
+
+    def _set_cursor(self) -> None:
+        shape = Qt.CursorShape.ArrowCursor
+        if self._space:
+            shape = Qt.CursorShape.OpenHandCursor
+        elif isinstance(self._hit, PointHit):
+            shape = Qt.CursorShape.SizeAllCursor
+        elif isinstance(self._hit, SegmentHit):
+            shape = Qt.CursorShape.PointingHandCursor
+        self.viewport().setCursor(shape)
+
+    def _tell(self) -> None:
+        plane = self.plane
+        position = None
+        if self._pointer is not None:
+            x, y = plane.to_points(self._pointer.at).tolist()
+            position = (x, y)
+        over = describe(self._hit, self._document.drawing, self._selection.curve)
+        self.pointed.emit(Pointed(position, over, hint(self._hit, self._drag), plane.scale))
+
+    def _pointer_of(self, event: QMouseEvent) -> Pointer:
+        position, held = event.position(), event.modifiers()
+        return Pointer(
+            np.array([position.x(), position.y()]),
+            shift=bool(held & Qt.KeyboardModifier.ShiftModifier),
+            ctrl=bool(held & Qt.KeyboardModifier.ControlModifier),
+        )
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Begin a drag; a press of another button while one is under way takes it back."""
+        event.accept()
+        self._pointer = pointer = self._pointer_of(event)
+        if self._drag is not None:
+            self.cancel_drag()
+            return
+        button = event.button()
+        if button == Qt.MouseButton.MiddleButton or (button == Qt.MouseButton.LeftButton and self._space):
+            self._drag = Pan(self.plane, pointer, self.show_view)
+            self.viewport().setCursor(Qt.CursorShape.ClosedHandCursor)
+        elif button == Qt.MouseButton.LeftButton:
+            self._drag = self._drag_for(self.hit(pointer.at), pointer)
+        self._press, self._drag_moved = pointer, False
+
+    def _drag_for(self, hit: Hit, pointer: Pointer) -> Drag:
+        if isinstance(hit, PointHit):
+            return MovePoints(self._document, self._selection, self.plane, pointer, hit.index)
+        if isinstance(hit, SegmentHit):
+            return PickSegment(self._selection, pointer, hit.curve, hit.segment)
+        return Marquee(self._selection, self.plane, pointer)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Follow the drag, or show what would be grabbed."""
+        event.accept()
+        self._pointer = pointer = self._pointer_of(event)
+        if self._drag is None or self._press is None:
+            self._hover()
+            return
+        if not self._drag_moved and np.hypot(*(pointer.at - self._press.at)) < SLACK:
+            return
+        self._drag_moved = True
+        self._drag.move(pointer)
+        self._tell()
+        self.viewport().update()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """End the drag."""
+        event.accept()
+        self._pointer = pointer = self._pointer_of(event)
+        drag, self._drag = self._drag, None
+        if drag is not None:
+            drag.release(pointer)
+        self._hover()
+        self.viewport().update()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """A second press in quick succession is a press like any other."""
+        self.mousePressEvent(event)
+
+    def cancel_drag(self) -> bool:
+        """Take back the drag under way, if there is one."""
+        drag, self._drag = self._drag, None
+        if drag is None:
+            return False
+        drag.cancel()
+        self._hover()
+        self.viewport().update()
+        return True
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Zoom at the pointer."""
+        event.accept()
+        position = event.position()
+        at = np.array([position.x(), position.y()])
+        self.zoom(ZOOM_STEP ** (event.angleDelta().y() / 120), at)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        """Nothing is hovered outside."""
+        self._pointer = None
+        self._hover()
+        super().leaveEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape takes a drag back, else selects nothing; Space pans while it is held."""
+        if event.key() == Qt.Key.Key_Escape:
+            if not self.cancel_drag():
+                self._selection.select(points=(), segments=())
+            event.accept()
+        elif event.key() == Qt.Key.Key_Space:
+            self._space = True
+            self._set_cursor()
+            event.accept()
+        else:
+            event.ignore()
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        """Space let go: the mouse edits again."""
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._space = False
+            self._set_cursor()
+            event.accept()
+        else:
+            event.ignore()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """A Space held while the focus left counts as let go."""
+        self._space = False
+        super().focusOutEvent(event)
+
+
+def _paint_marquee(painter: QPainter, low: Floats, high: Floats, colours: Colours) -> None:
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+    fill = QColor(colours.accent)
+    fill.setAlpha(28)
+    painter.setBrush(fill)
+    painter.setPen(QPen(QColor(colours.accent), 1))
+    painter.drawRect(QRectF(QPointF(*low), QPointF(*high)))
+    painter.setBrush(Qt.BrushStyle.NoBrush)

@@ -1,0 +1,49 @@
+"""Straight pieces in pixels: clipping them to the window and handing them to the painter without copying."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QLineF
+from PySide6.QtGui import QPainter
+from shiboken6 import Shiboken
+
+Floats = NDArray[np.float64]
+
+
+def clipped(
+    lines: Floats, width: float, height: float, margin: float = 8.0
+) -> tuple[Floats, NDArray[np.intp]]:
+    """The parts of lines (n, 4) inside the window, and the indices of the lines they are parts of.
+
+    Qt walks along a dashed line however long it is, so a line that leaves the window far behind would stop the
+    program; and its rasteriser has limits beyond some 10⁶ pixels.
+    """
+    low = np.minimum(lines[:, :2], lines[:, 2:])
+    high = np.maximum(lines[:, :2], lines[:, 2:])
+    far = (width + margin, height + margin)
+    kept = np.flatnonzero((low <= far).all(axis=1) & (high >= -margin).all(axis=1))
+    lines = lines[kept]
+    long = np.flatnonzero(np.abs(lines[:, 2:] - lines[:, :2]).max(axis=1, initial=0.0, keepdims=False) > 4096)
+    if len(long):
+        # Liang–Barsky on the long ones only.
+        start, along = lines[long, :2], lines[long, 2:] - lines[long, :2]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            enter, leave = (-margin - start) / along, (far - start) / along
+        enter, leave = np.fmin(enter, leave), np.fmax(enter, leave)
+        t0 = np.fmax(np.fmax(enter[:, 0], enter[:, 1]), 0.0)[:, None]
+        t1 = np.fmin(np.fmin(leave[:, 0], leave[:, 1]), 1.0)[:, None]
+        lines[long] = np.hstack([start + t0 * along, start + t1 * along])
+        inside = np.ones(len(lines), dtype=bool)
+        inside[long] = (t0 <= t1)[:, 0]
+        lines, kept = lines[inside], kept[inside]
+    return np.ascontiguousarray(lines), kept
+
+
+def draw_lines(painter: QPainter, lines: Floats) -> None:
+    """Draw C-contiguous lines (n, 4): x and y of the start, x and y of the end."""
+    if len(lines):
+        first: Any = Shiboken.wrapInstance(lines.ctypes.data, QLineF)
+        painter.drawLines(first, len(lines))

@@ -1,0 +1,71 @@
+"""How curves, segments and shape parameters are called in the panels. No Qt here."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from theditor.spline import Curve, Mode
+
+MODE_LETTERS = {Mode.TRIGONOMETRIC: "T", Mode.HYPERBOLIC: "H", Mode.INTERPOLATING: "λ*"}
+"""The modes that can be set, with the letter that stands for each."""
+
+_SUBSCRIPTS = str.maketrans("0123456789-", "₀₁₂₃₄₅₆₇₈₉₋")
+_ENUMERATED = 4
+
+
+def indexed(symbol: str, index: int) -> str:
+    """Return a symbol with its subscript: ``λ₁₂``."""
+    return symbol + str(index).translate(_SUBSCRIPTS)
+
+
+def number(value: float) -> str:
+    """Write `value` in at most six significant digits, with a true minus sign."""
+    return f"{value:.6g}".replace("-", "−")
+
+
+def exact(value: float) -> str:
+    """Return the shortest text that reads back as exactly `value`, without a needless ``.0``."""
+    return repr(float(value)).removesuffix(".0")
+
+
+def listed(names: Sequence[str]) -> str:
+    """Join names in a sentence: ``4, 5 and 6``."""
+    return names[0] if len(names) == 1 else ", ".join(names[:-1]) + " and " + names[-1]
+
+
+def counted(count: int, noun: str) -> str:
+    """Count: ``1 point``, ``3 points``."""
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
+def symbols(symbol: str, indices: Sequence[int]) -> str:
+    """Name symbols: ``λ₅, λ₆``, or ``λ₀ … λ₉₉`` when there are many."""
+    if len(indices) <= _ENUMERATED:
+        return ", ".join(indexed(symbol, i) for i in indices)
+    return f"{indexed(symbol, indices[0])} … {indexed(symbol, indices[-1])}"
+
+
+def segments_named(curve: Curve, segments: Iterable[int]) -> str:
+    """Name segments by the paper's numbers: ``segments 4 and 6``, or ``12 segments`` when they are many."""
+    ordered = sorted(segments)
+    if len(ordered) > _ENUMERATED:
+        return counted(len(ordered), "segment")
+    numbers = [str(s + curve.first_segment) for s in ordered]
+    return f"segment {numbers[0]}" if len(numbers) == 1 else f"segments {listed(numbers)}"
+
+
+def locked_reason(name: str) -> str:
+    """Say why nothing can be changed, and the cure."""
+    return f"“{name}” is locked: unlock it in the list of curves to change it."
+
+
+def inactive_reason(curve: Curve, indices: Sequence[int]) -> str:
+    """Say why the λ of `indices`, none of which is active, shape nothing."""
+    if not curve.active_lambdas.any():
+        return "No λ shapes this curve: it is one straight segment."
+    names = symbols("λ", indices) + (" shapes nothing" if len(indices) == 1 else " shape nothing")
+    if curve.degree == 2:
+        return f"{names}: in an open quadratic λᵢ belongs to the edge from Pᵢ₋₁ to Pᵢ."
+    if curve.ends == "clamped":
+        return f"{names}: at a clamped end the curvature is zero."
+    return f"{names}: the curve is open with free ends."
