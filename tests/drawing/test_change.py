@@ -33,7 +33,8 @@ def edited(draw, drawing):
         elif kind == "curve":
             drawing = drawing.with_curve(index, draw(curves()))
         elif kind == "ends":
-            drawing = drawing.with_curve(index, curve.with_(closed=True, ends="clamped"))
+            closed = len(curve.lambdas) >= 3 and not curve.closed
+            drawing = drawing.with_curve(index, curve.with_(closed=closed, ends="clamped"))
         else:
             row = draw(st.integers(0, len(curve.lambdas) - 1))
             curve = curve.with_points(row, draw(st.sampled_from([0.0, -0.0, 1.5]))).with_lambdas(row, 0.25)

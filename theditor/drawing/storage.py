@@ -129,5 +129,5 @@ def _refuse_unless_regular(status: os.stat_result) -> None:
 
 def _cause(error: OSError | ValueError) -> str:
     if isinstance(error, OSError) and error.errno is not None:
-        return _CAUSES.get(error.errno) or error.strerror
+        return _CAUSES.get(error.errno) or os.strerror(error.errno)
     return str(error)

@@ -1,0 +1,143 @@
+import os
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from theditor import resources
+from theditor.cli import main
+from theditor.drawing import Drawing, Item, save
+from theditor.spline import Curve, Mode
+
+GALLERY = resources.resource("gallery")
+FIGURE_10 = GALLERY / "figure-10.json"
+
+SCREENLESS = {
+    name: value
+    for name, value in os.environ.items()
+    if name not in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
+}
+
+
+def theditor(*arguments, **options):
+    command = [sys.executable, "-m", "theditor", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=60, **options)
+
+
+def test_check_says_what_is_in_a_file(capsys, tmp_path):
+    plane = Curve([[0, 0], [1, 2], [3, 2], [4, 0]], 1.0, degree=2, closed=True)
+    space = Curve([[0, 0, 0], [1, 1, 1]], 0.5, ends="clamped")
+    save(Drawing([Item(plane, "Ring"), Item(space, "Strut")]), tmp_path / "two.json")
+    save(Drawing(), tmp_path / "none.json")
+    assert main(["check", str(FIGURE_10), str(tmp_path / "two.json"), str(tmp_path / "none.json")]) == 0
+    assert capsys.readouterr().out == (
+        f"{FIGURE_10}: 1 curve\n"
+        "  Figure 10: cubic, open with free ends, 13 points, 10 segments; segments 1 trigonometric, 2 blend, "
+        "3 interpolating, 4 blend, 5–7 hyperbolic, 8–9 blend, 10 trigonometric\n"
+        f"{tmp_path / 'two.json'}: 2 curves\n"
+        "  Ring: quadratic, closed, 4 points, 4 segments; all hyperbolic\n"
+        "  Strut: cubic, open with clamped ends, in space, 2 points, 1 segment; blend\n"
+        f"{tmp_path / 'none.json'}: 0 curves\n"
+    )
+
+
+def test_check_counts_modes_that_would_make_a_long_list(capsys, tmp_path):
+    curve = Curve([[i, i % 3] for i in range(103)]).with_mode(range(0, 100, 5), Mode.HYPERBOLIC)
+    save(Drawing([Item(curve)]), tmp_path / "long.json")
+    assert main(["check", str(tmp_path / "long.json")]) == 0
+    assert capsys.readouterr().out.endswith("100 segments; 41 trigonometric, 20 hyperbolic, 39 blend\n")
+
+
+def test_check_says_what_is_wrong_and_goes_on(capsys, tmp_path):
+    bad = tmp_path / "bad.json"
+    bad.write_text('{"format": "theditor", "version": 2}')
+    assert main(["check", str(bad), str(tmp_path / "no.json"), str(FIGURE_10)]) == 1
+    wrong, missing, good, *_ = capsys.readouterr().out.splitlines()
+    assert wrong.startswith(f"{bad}: version is 2, and 1 is the newest this program reads")
+    assert missing == f"{tmp_path / 'no.json'} cannot be read: there is no such file or folder."
+    assert good == f"{FIGURE_10}: 1 curve"
+
+
+def test_check_runs_without_qt():
+    code = (
+        "import sys; from theditor.cli import main; code = main(['check', sys.argv[1]]); "
+        "sys.exit(code or 'PySide6' in sys.modules or 'pyqtgraph' in sys.modules)"
+    )
+    subprocess.run([sys.executable, "-c", code, FIGURE_10], check=True, capture_output=True)
+
+
+@pytest.mark.parametrize("arguments", [["check"], ["--no-such-option"]])
+def test_wrong_usage_ends_with_2_and_the_usage(capsys, arguments):
+    with pytest.raises(SystemExit) as caught:
+        main(arguments)
+    assert caught.value.code == 2
+    assert capsys.readouterr().err.startswith("usage: theditor")
+
+
+def test_version_and_help():
+    assert theditor("--version").stdout.split()[0] == "theditor"
+    help_text = theditor("--help").stdout
+    assert "theditor [FILE ...]" in help_text
+    assert "theditor check FILE ..." in help_text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "files"),
+    [
+        ([], []),
+        (["a.json", "b.json"], ["a.json", "b.json"]),
+        (["./check"], ["check"]),
+        (["--", "check"], ["check"]),
+    ],
+)
+def test_files_are_opened_in_the_window_even_one_called_check(monkeypatch, arguments, files):
+    opened = []
+    window = ModuleType("theditor.app.main")
+    window.run = lambda paths: opened.append(paths) or 0
+    monkeypatch.setitem(sys.modules, "theditor.app.main", window)
+    assert main(arguments) == 0
+    assert opened == [[Path(file) for file in files]]
+
+
+def test_a_missing_system_library_is_named_with_the_command_that_installs_it(monkeypatch, capsys):
+    class Lacking:
+        @staticmethod
+        def find_spec(name, *_):
+            if name == "theditor.app.main":
+                raise ImportError("libEGL.so.1: cannot open shared object file: No such file or directory")
+
+    monkeypatch.setattr(sys, "meta_path", [Lacking, *sys.meta_path])
+    monkeypatch.delitem(sys.modules, "theditor.app.main", raising=False)
+    assert main([]) == 1
+    error = capsys.readouterr().err
+    assert error.startswith("theditor: the system library libEGL.so.1 is missing")
+    assert "sudo apt-get install -y libgl1 libegl1" in error
+    assert error.count("\n") == 1
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there is always a display")
+def test_without_a_display_one_sentence_says_so():
+    run = theditor(env=SCREENLESS)
+    assert run.returncode == 1
+    assert run.stdout == ""
+    assert run.stderr.startswith("theditor: there is no display")
+    assert run.stderr.count("\n") == 1
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX pipes")
+def test_a_reader_that_has_gone_is_no_error_to_speak_of():
+    command = [sys.executable, "-m", "theditor", "check", FIGURE_10]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        process.stdout.close()
+        assert process.stderr.read() == b""
+    assert process.returncode == 141
+
+
+def test_a_terminal_without_the_letters_of_a_name_gets_escapes(tmp_path):
+    path = tmp_path / "name.json"
+    save(Drawing([Item(Curve([[0, 0], [1, 1]], ends="clamped"), "λ₃")]), path)
+    run = theditor("check", path, env={**os.environ, "PYTHONIOENCODING": "ascii"})
+    assert run.returncode == 0
+    assert "\\u03bb\\u2083: cubic" in run.stdout
