@@ -6,11 +6,11 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
-from importlib import metadata
 from itertools import groupby
 from pathlib import Path
 
 from theditor.drawing import DrawingError, Item, load, shown
+from theditor.resources import version
 from theditor.spline import Curve, Mode
 
 _DEBIAN_PACKAGES = (
@@ -41,14 +41,6 @@ def main(argv: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return _CLOSED_PIPE
     return code
-
-
-def version() -> str:
-    """Return the installed version, or "unknown" where the package runs without being installed."""
-    try:
-        return metadata.version("theditor")
-    except metadata.PackageNotFoundError:
-        return "unknown"
 
 
 def _open(arguments: Sequence[str]) -> int:

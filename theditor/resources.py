@@ -1,9 +1,13 @@
-"""Where the gallery and other resources lie: inside an installed package, or beside it in the repository."""
+"""What an installed package knows besides its code: the gallery, other resources, its version.
+
+Resources lie inside the package when it is installed, and beside it in the repository.
+"""
 
 from __future__ import annotations
 
 import json
 from dataclasses import dataclass
+from importlib import metadata
 from pathlib import Path
 
 _PACKAGE = Path(__file__).resolve().parent
@@ -38,3 +42,11 @@ def gallery() -> tuple[Picture, ...]:
     folder = resource("gallery")
     entries = json.loads((folder / "index.json").read_text("utf-8"))
     return tuple(Picture(**entry, path=folder / f"{entry['name']}.json") for entry in entries)
+
+
+def version() -> str:
+    """Return the installed version, or "unknown" where the package runs without being installed."""
+    try:
+        return metadata.version("theditor")
+    except metadata.PackageNotFoundError:
+        return "unknown"
