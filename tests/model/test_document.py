@@ -140,7 +140,9 @@ def test_opening_forgets_the_history(document, tmp_path):
 
 
 edits = st.lists(
-    st.tuples(st.sampled_from(["move", "shape", "drop", "add", "undo", "redo"]), st.integers(0, 4), st.floats(-5, 5))
+    st.tuples(
+        st.sampled_from(["move", "shape", "drop", "add", "undo", "redo"]), st.integers(0, 4), st.floats(-5, 5)
+    )
 )
 
 

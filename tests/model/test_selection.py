@@ -49,6 +49,12 @@ def test_what_no_longer_exists_is_dropped(document, selection):
     assert selection.curve == 1
 
 
+def test_another_drawing_starts_with_nothing_selected(document, selection):
+    selection.select(curve=2, points={1}, segments={0})
+    document.start(document.drawing)
+    assert (selection.curve, selection.points, selection.segments) == (1, frozenset(), frozenset())
+
+
 def test_it_tells_of_changes_only(selection, qtbot):
     selection.select(points={1})
     with qtbot.assertNotEmitted(selection.changed):

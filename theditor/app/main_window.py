@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, QSize, Qt
@@ -36,7 +35,7 @@ from theditor.panels.lambda_strip import LambdaStrip
 from theditor.panels.segment_info import SegmentPanel
 from theditor.panels.segments import SegmentsPanel
 from theditor.panels.shape import ShapePanel
-from theditor.resources import gallery
+from theditor.resources import gallery, version
 from theditor.spline import Curve
 
 FILE_FILTER = "theditor drawings (*.json);;All files (*)"
@@ -83,7 +82,6 @@ class MainWindow(QMainWindow):
         self.strip = LambdaStrip(*model)
         self.curves.add_requested.connect(self.add_curve)
         column = QWidget()
-        column.setMinimumWidth(320)
         stack = QVBoxLayout(column)
         stack.setContentsMargins(0, 0, 0, 0)
         stack.setSpacing(0)
@@ -98,6 +96,9 @@ class MainWindow(QMainWindow):
         scroll.setFrameShape(QFrame.Shape.NoFrame)
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setWidget(column)
+        scroll.setMinimumWidth(
+            column.minimumSizeHint().width() + scroll.verticalScrollBar().sizeHint().width()
+        )
 
         self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
         right = self._add_dock("Properties", "properties", scroll, Qt.DockWidgetArea.RightDockWidgetArea)
@@ -173,9 +174,9 @@ class MainWindow(QMainWindow):
     def _follow(self) -> None:
         document, stack = self.document, self.document.undo_stack
         document.renamed.connect(self._show_title)
-        document.changed.connect(lambda _old, _new: self._show_state())
-        stack.cleanChanged.connect(lambda _clean: self._show_state())
-        stack.indexChanged.connect(lambda _index: self._show_state())
+        document.changed.connect(self._show_state)
+        stack.cleanChanged.connect(self._show_state)
+        stack.indexChanged.connect(self._show_state)
         self.selection.changed.connect(self._show_state)
         self._show_title()
 
@@ -186,7 +187,7 @@ class MainWindow(QMainWindow):
         self.setWindowFilePath(str(self.document.path or ""))
         self._show_state()
 
-    def _show_state(self) -> None:
+    def _show_state(self, *_: object) -> None:
         stack, item = self.document.undo_stack, self.selection.item
         self.setWindowModified(not self.document.is_clean)
         for name, can, text in (
@@ -251,7 +252,7 @@ class MainWindow(QMainWindow):
     def open_picture(self, name: str) -> None:
         """Open a copy of a gallery picture; saving it asks for a file."""
         picture = next(picture for picture in gallery() if picture.name == name)
-        self.document.start(load(picture.path), picture.title)
+        self.document.start(load(picture.path), picture.title.split(" · ")[0])
         self.messages.hide()
         self.canvas.fit()
 
@@ -345,14 +346,10 @@ class MainWindow(QMainWindow):
 
     def about(self) -> None:
         """Say what this is."""
-        try:
-            number = version("theditor")
-        except PackageNotFoundError:
-            number = "of unknown version"
         QMessageBox.about(
             self,
             "About theditor",
-            f"<b>theditor {number}</b><p>An editor for TH-type uniform B-splines: quadratic and cubic curves "
+            f"<b>theditor {version()}</b><p>An editor for TH-type uniform B-splines: quadratic and cubic curves "
             "whose segments are trigonometric, hyperbolic or interpolating, as their shape parameters λ say.</p>"
             "<p>After J. Xie, <i>A Geometric Modeling Method Based on TH-Type Uniform B-Splines</i>, "
             "Mathematical Problems in Engineering 2014, 242469.</p><p>MIT licence.</p>",

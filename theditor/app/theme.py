@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication
 
 from theditor.model import DARK, LIGHT, Colours
+from theditor.resources import resource
 
 
 class Theme(StrEnum):
@@ -91,7 +92,8 @@ def _faded(colours: Colours) -> str:
 def style_sheet(colours: Colours) -> str:
     """The style sheet on top of Qt's Fusion style: a 4-pixel grid, 26-pixel controls, 6-pixel corners."""
     on_accent = "#FFFFFF" if QColor(colours.accent).lightness() < 160 else "#10151C"
-    return Template(_SHEET).substitute(vars(colours), faded=_faded(colours), on_accent=on_accent)
+    icons = resource("icons").as_posix()
+    return Template(_SHEET).substitute(vars(colours), faded=_faded(colours), on_accent=on_accent, icons=icons)
 
 
 _SHEET = """
@@ -103,6 +105,8 @@ QMenu { background: $panel; border: 1px solid $border; padding: 4px; color: $tex
 QMenu::item { padding: 5px 28px 5px 24px; border-radius: 4px; }
 QMenu::item:selected { background: $selection; color: $accent_text; }
 QMenu::item:disabled { color: $faded; }
+QMenu::indicator { width: 12px; height: 12px; margin-left: 8px; }
+QMenu::indicator:checked { image: url($icons/check.svg); }
 QMenu::separator { height: 1px; background: $border; margin: 4px 8px; }
 QToolBar { background: $panel; border: none; border-bottom: 1px solid $border; padding: 5px 8px; spacing: 2px; }
 QToolBar::separator { width: 1px; background: $border; margin: 5px 10px; }
@@ -116,7 +120,11 @@ QStatusBar { background: $panel; border-top: 1px solid $border; color: $secondar
 QStatusBar::item { border: none; }
 QStatusBar QLabel { color: $secondary; padding: 2px 8px; }
 QStatusBar QLabel[role="strong"] { color: $text; font-weight: 600; }
-QDockWidget { color: $secondary; }
+QDockWidget {
+    color: $secondary; titlebar-close-icon: url($icons/close.svg); titlebar-normal-icon: url($icons/float.svg);
+}
+QDockWidget::close-button, QDockWidget::float-button { background: transparent; border: none; padding: 1px; }
+QDockWidget::close-button:hover, QDockWidget::float-button:hover { background: $selection; border-radius: 4px; }
 QDockWidget::title { background: $panel; padding: 8px 16px 4px 16px; text-align: left; }
 QDockWidget > QWidget { background: $panel; }
 QMainWindow::separator { background: $border; width: 1px; height: 1px; }
@@ -132,7 +140,8 @@ QLineEdit, QAbstractSpinBox, QComboBox {
 }
 QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border-color: $accent; }
 QLineEdit:disabled, QAbstractSpinBox:disabled, QComboBox:disabled { color: $faded; background: $panel; }
-QComboBox::drop-down { border: none; width: 22px; }
+QComboBox::drop-down { border: none; width: 24px; }
+QComboBox::down-arrow { image: url($icons/chevron.svg); width: 12px; height: 12px; }
 QComboBox QAbstractItemView {
     background: $panel; color: $text; border: 1px solid $border; outline: none;
     selection-background-color: $selection; selection-color: $accent_text;

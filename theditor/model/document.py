@@ -25,6 +25,9 @@ class Document(QObject):
     changed = Signal(object, object)
     """The drawing was replaced: old value, new value. Sent for previews of a gesture, too."""
 
+    started = Signal()
+    """Everything was replaced: another drawing was opened or begun."""
+
     renamed = Signal()
     """The path or the title is another one."""
 
@@ -153,6 +156,7 @@ class Document(QObject):
         self.undo_stack.clear()
         self._path, self._title = path, title
         self._show(drawing)
+        self.started.emit()
         self.renamed.emit()
 
     def _show(self, drawing: Drawing) -> None:

@@ -29,6 +29,7 @@ class Selection(QObject):
         self._points: frozenset[int] = frozenset()
         self._segments: frozenset[int] = frozenset()
         document.changed.connect(self._follow)
+        document.started.connect(self._start_anew)
 
     @property
     def curve(self) -> int:
@@ -92,6 +93,9 @@ class Selection(QObject):
         same = curve == self._curve
         points, segments = (self._points, self._segments) if same else (frozenset(), frozenset())
         self._set(curve, points, segments)
+
+    def _start_anew(self) -> None:
+        self._set(_first_visible(self._document.drawing), frozenset(), frozenset())
 
     def _set(self, curve: int, points: frozenset[int], segments: frozenset[int]) -> None:
         if curve >= 0:

@@ -1,0 +1,48 @@
+"""A real main window with Figure 10 in it."""
+
+import pytest
+from hand import Hand
+from PySide6.QtWidgets import QApplication, QMessageBox
+
+from theditor.app.main_window import MainWindow
+from theditor.app.theme import Theme, apply_theme
+
+
+@pytest.fixture
+def window(qtbot, monkeypatch):
+    app = QApplication.instance()
+    app.setOrganizationName("theditor-tests")
+    app.setApplicationName("theditor-tests")
+    app.setStyle("Fusion")
+    apply_theme(Theme.LIGHT)
+    window = MainWindow()
+    qtbot.addWidget(window, before_close_func=lambda w: w.document.undo_stack.setClean())
+    window.open_picture("figure-10")
+    with qtbot.waitExposed(window):
+        window.show()
+    window.canvas.fit()
+    yield window
+    app.setPalette(app.style().standardPalette())
+    app.setStyleSheet("")
+
+
+@pytest.fixture
+def hand(window):
+    return Hand(window.canvas)
+
+
+@pytest.fixture
+def answer(monkeypatch):
+    """Answers the question about unsaved changes; the returned list fills with what was asked."""
+
+    def prepare(button):
+        asked = []
+
+        def question(parent, title, text, *rest):
+            asked.append(text)
+            return button
+
+        monkeypatch.setattr(QMessageBox, "question", question)
+        return asked
+
+    return prepare
