@@ -30,8 +30,15 @@ class LambdaGesture:
         self.commit = self._gesture.commit
         self.cancel = self._gesture.cancel
 
+    @property
+    def is_open(self) -> bool:
+        """Whether the hand is still on it: saving, undo or another file may have ended it."""
+        return self._gesture.is_open
+
     def preview(self, indices: ArrayLike, values: ArrayLike) -> None:
-        """Show the curve with these λ; the others are as they were at the press."""
+        """Show the curve with these λ; the others are as they were at the press. Ignored once it is over."""
+        if not self.is_open:
+            return
         before: Drawing = self._gesture.before
         curve = before[self._curve].curve.with_lambdas(indices, values)
         self._gesture.preview(before.with_curve(self._curve, curve))

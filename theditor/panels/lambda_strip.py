@@ -16,7 +16,6 @@ from theditor.panels.lambda_edit import LambdaGesture, editable, set_lambdas, st
 from theditor.spline import mode_of
 
 _WIDTH_RANGE = (44, 66)
-_TOP = 8
 _TRACK_RANGE = (48, 220)
 
 
@@ -27,6 +26,9 @@ class LambdaStrip(QAbstractScrollArea):
     dragging across columns paints. T, H and λ* attract, unless Shift is held; Ctrl drags ten times finer from
     where λ is. A click selects the column's control point, with Shift adds it.
     """
+
+    track_top = 8
+    """Where the upright scale ends above, in pixels."""
 
     announce = Signal(str)
     """A sentence for the status line."""
@@ -53,11 +55,11 @@ class LambdaStrip(QAbstractScrollArea):
 
     def sizeHint(self) -> QSize:
         """Room for a dozen columns."""
-        return QSize(12 * _WIDTH_RANGE[1], _TOP + 80 + caption_height(self.font()) + 16)
+        return QSize(12 * _WIDTH_RANGE[1], self.track_top + 80 + caption_height(self.font()) + 16)
 
     def minimumSizeHint(self) -> QSize:
         """Room for a few low columns."""
-        return QSize(3 * _WIDTH_RANGE[0], _TOP + _TRACK_RANGE[0] + caption_height(self.font()) + 8)
+        return QSize(3 * _WIDTH_RANGE[0], self.track_top + _TRACK_RANGE[0] + caption_height(self.font()) + 8)
 
     # Where things are
 
@@ -68,17 +70,19 @@ class LambdaStrip(QAbstractScrollArea):
         least, most = _WIDTH_RANGE
         return max(least, min(most, self.viewport().width() // max(self._count(), 1)))
 
-    def _track_height(self) -> float:
-        free = self.viewport().height() - _TOP - caption_height(self.font()) - 8
+    @property
+    def track_height(self) -> float:
+        """Length of the upright scale in pixels."""
+        free = self.viewport().height() - self.track_top - caption_height(self.font()) - 8
         return float(max(_TRACK_RANGE[0], min(_TRACK_RANGE[1], free)))
 
     def _column_at(self, x: float) -> int:
         return int((x + self.horizontalScrollBar().value()) // self._width())
 
     def _place_at(self, y: float) -> float:
-        return 1 - (y - _TOP) / self._track_height()
+        return 1 - (y - self.track_top) / self.track_height
 
-    def column_rect_x(self, index: int) -> int:
+    def column_left(self, index: int) -> int:
         """Left edge of a column in the viewport, in pixels."""
         return index * self._width() - self.horizontalScrollBar().value()
 
@@ -97,6 +101,9 @@ class LambdaStrip(QAbstractScrollArea):
             self._hover(self._column_at(position.x()))
             return
         if self._gesture is None and not self._start_drag(event):
+            return
+        if self._gesture is not None and not self._gesture.is_open:
+            self._gesture = self._press = None
             return
         assert self._gesture is not None
         assert self._drag is not None
@@ -125,7 +132,7 @@ class LambdaStrip(QAbstractScrollArea):
         fine, _ = _modifiers(event)
         value = self._item.curve.lambdas[self._column]
         place = float(scale.position(value)) if fine else self._place_at(self._press.y())
-        self._drag = scale.ScaleDrag(self._item.curve.degree, self._track_height(), place)
+        self._drag = scale.ScaleDrag(self._item.curve.degree, self.track_height, place)
         self._gesture = LambdaGesture(self._document, self._selection)
         self._painted = {}
         return True
@@ -136,7 +143,7 @@ class LambdaStrip(QAbstractScrollArea):
         active = self._item.curve.active_lambdas
         step = 1 if column >= self._column else -1
         for i in range(self._column, column + step, step):
-            if active[i] and (i != self._column or i == column):
+            if active[i] and (i == column or i != self._column or i not in self._painted):
                 self._painted[i] = value
         self._column = column
 
@@ -299,8 +306,8 @@ class LambdaStrip(QAbstractScrollArea):
                     hovered=i == self._hovered,
                 )
                 painter.save()
-                painter.translate(self.column_rect_x(i), 0)
-                paint_column(painter, column, width, _TOP, self._track_height(), self.font(), colours)
+                painter.translate(self.column_left(i), 0)
+                paint_column(painter, column, width, self.track_top, self.track_height, self.font(), colours)
                 painter.restore()
         painter.end()
 

@@ -1,0 +1,219 @@
+import pytest
+from panel_hand import Hand, some_curve
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QColorDialog, QLineEdit
+
+from theditor.drawing import Drawing, Item
+from theditor.model import Document, Selection
+from theditor.panels import CurvePanel, CurvesPanel, SegmentsPanel, ShapePanel
+from theditor.panels.curve_list import eye_rect, lock_rect
+from theditor.spline import INTERPOLATING
+
+KEY = Qt.Key
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def panel(document, selection, show):
+    return show(CurvePanel(document, selection))
+
+
+@pytest.fixture
+def curves(document, selection, show):
+    return show(CurvesPanel(document, selection))
+
+
+def choose(qtbot, combo, text):
+    """Pick an entry by keys, as a person does without the mouse."""
+    combo.setFocus()
+    while combo.currentText() != text:
+        key = KEY.Key_Down if combo.findText(text) > combo.currentIndex() else KEY.Key_Up
+        before = combo.currentIndex()
+        qtbot.keyClick(combo, key)
+        assert combo.currentIndex() != before
+
+
+def place(panel, row, rect):
+    return rect(panel.list.visualRect(panel.model.index(row))).center()
+
+
+def names(document):
+    return [item.name for item in document.drawing]
+
+
+def test_renaming_is_one_step(panel, document, qtbot):
+    panel.name.setFocus()
+    panel.name.selectAll()
+    qtbot.keyClicks(panel.name, "Swan")
+    qtbot.keyClick(panel.name, KEY.Key_Return)
+    panel.degree.setFocus()
+    assert names(document) == ["Swan", "Ring"]
+    assert document.undo_stack.count() == 1
+    document.undo()
+    assert panel.name.text() == "Figure 10"
+
+
+def test_degree_and_ends_change_the_curve_and_keep_interpolation(panel, document, qtbot):
+    choose(qtbot, panel.degree, "Quadratic · C¹")
+    curve = document.drawing[0].curve
+    assert curve.degree == 2
+    assert curve.lambdas[3] == INTERPOLATING[2]
+    assert document.undo_stack.undoText() == "Make curve quadratic"
+    choose(qtbot, panel.ends, "Open, clamped ends")
+    assert document.drawing[0].curve.ends == "clamped"
+    choose(qtbot, panel.ends, "Closed")
+    assert document.drawing[0].curve.closed
+    while document.undo_stack.canUndo():
+        document.undo()
+    assert panel.degree.currentText() == "Cubic · C²"
+    assert panel.ends.currentText() == "Open, free ends"
+
+
+def test_what_too_few_points_forbid_cannot_be_chosen_and_says_how_many_it_takes(show):
+    document = Document(Drawing([Item(some_curve([0, 0], ends="clamped"))]))
+    panel = show(CurvePanel(document, Selection(document)))
+    tip = Qt.ItemDataRole.ToolTipRole
+
+    def allowed(combo):
+        return [combo.model().item(i).isEnabled() for i in range(combo.count())]
+
+    assert allowed(panel.degree) == [False, True]
+    assert allowed(panel.ends) == [False, True, False]
+    assert panel.ends.itemData(0, tip) == "Needs at least 4 control points; the curve has 2."
+    assert panel.ends.itemData(2, tip) == "Needs at least 3 control points; the curve has 2."
+    document.apply_curve("Add points", 0, some_curve([0] * 4, ends="clamped"))
+    assert allowed(panel.degree) == [True, True]
+    assert allowed(panel.ends) == [True, True, True]
+
+
+def test_colour_and_width(panel, document, qtbot, monkeypatch):
+    monkeypatch.setattr(QColorDialog, "getColor", lambda *_: QColor("#C0FFEE"))
+    qtbot.mouseClick(panel.colour, LEFT)
+    assert document.drawing[0].color == "#c0ffee"
+    assert document.undo_stack.undoText() == "Recolour curve"
+    monkeypatch.setattr(QColorDialog, "getColor", lambda *_: QColor())
+    qtbot.mouseClick(panel.colour, LEFT)
+    panel.width_field.setFocus()
+    panel.width_field.selectAll()
+    qtbot.keyClicks(panel.width_field, "3,5")
+    qtbot.keyClick(panel.width_field, KEY.Key_Return)
+    assert document.drawing[0].width == 3.5
+    assert document.undo_stack.undoText() == "Change line width"
+    qtbot.keyClick(panel.width_field, KEY.Key_Up)
+    assert document.drawing[0].width == 4.0
+    with qtbot.waitSignal(panel.announce) as said:
+        panel.width_field.selectAll()
+        qtbot.keyClicks(panel.width_field, "101")
+        qtbot.keyClick(panel.width_field, KEY.Key_Return)
+    assert "0.1 to 100" in said.args[0]
+    assert document.drawing[0].width == 4.0
+
+
+@pytest.mark.parametrize("kind", [CurvePanel, ShapePanel, SegmentsPanel, CurvesPanel])
+def test_panels_live_through_an_empty_drawing_and_hidden_or_space_curves(show, kind):
+    document = Document()
+    panel = show(kind(document, Selection(document)))
+    helix = some_curve([0.0] * 6).control_points
+    space = Item(type(some_curve())([(*point, 1.0) for point in helix]), "Helix", visible=False)
+    document.apply("Add curve", Drawing([space]))
+    panel.grab()
+    document.undo()
+    panel.grab()
+    document.redo()
+
+
+def test_a_locked_curve_disables_the_panel_and_says_why(panel, document, selection):
+    item = document.drawing[0].with_(locked=True)
+    document.apply("Lock curve", document.drawing.with_item(0, item))
+    controls = (panel.name, panel.degree, panel.ends, panel.colour, panel.width_field)
+    assert not any(control.isEnabled() for control in controls)
+    assert all("“Figure 10” is locked" in control.toolTip() for control in controls)
+    selection.select(curve=1)
+    assert all(control.isEnabled() for control in controls)
+
+
+def test_the_current_row_is_the_current_curve(curves, selection, qtbot):
+    assert curves.list.currentIndex().row() == 0
+    row = curves.list.visualRect(curves.model.index(1))
+    Hand(curves.list.viewport()).click(row.center().x(), row.center().y())
+    assert selection.curve == 1
+    selection.select(curve=0)
+    assert curves.list.currentIndex().row() == 0
+
+
+def test_eye_and_lock_are_steps_and_leave_the_current_curve(curves, document, selection):
+    hand = Hand(curves.list.viewport())
+    hand.click_at(place(curves, 1, eye_rect))
+    assert [item.visible for item in document.drawing] == [True, False]
+    assert document.undo_stack.undoText() == "Hide curve"
+    hand.click_at(place(curves, 1, lock_rect))
+    assert document.drawing[1].locked
+    assert selection.curve == 0
+    assert curves.model.index(1).data(Qt.ItemDataRole.AccessibleTextRole) == "Ring, hidden, locked"
+    document.undo()
+    document.undo()
+    assert document.drawing[1].visible
+    assert not document.drawing[1].locked
+
+
+def test_a_name_is_edited_in_its_row(curves, document, qtbot):
+    curves.list.setFocus()
+    qtbot.keyClick(curves.list, KEY.Key_F2)
+    editor = curves.list.viewport().findChild(QLineEdit)
+    editor.selectAll()
+    qtbot.keyClicks(editor, "Swan")
+    qtbot.keyClick(editor, KEY.Key_Return)
+    qtbot.waitUntil(lambda: names(document) == ["Swan", "Ring"])
+    assert document.undo_stack.undoText() == "Rename curve"
+
+
+def test_duplicate_and_delete_act_on_the_current_curve_and_can_be_undone(curves, document, selection, qtbot):
+    qtbot.mouseClick(curves.duplicate_button, LEFT)
+    assert names(document) == ["Figure 10", "Figure 10 copy", "Ring"]
+    assert selection.curve == 1
+    assert curves.list.currentIndex().row() == 1
+    selection.select(curve=0)
+    qtbot.mouseClick(curves.duplicate_button, LEFT)
+    assert names(document)[1] == "Figure 10 copy 2"
+    qtbot.mouseClick(curves.delete_button, LEFT)
+    assert names(document) == ["Figure 10", "Figure 10 copy", "Ring"]
+    while document.undo_stack.canUndo():
+        document.undo()
+    assert names(document) == ["Figure 10", "Ring"]
+    assert [curves.model.index(row).data() for row in range(2)] == ["Figure 10", "Ring"]
+    assert curves.list.currentIndex().row() == selection.curve
+
+
+def test_add_is_left_to_the_window(curves, qtbot):
+    with qtbot.waitSignal(curves.add_requested):
+        qtbot.mouseClick(curves.add_button, LEFT)
+
+
+def test_the_list_tells_of_nothing_but_rows_that_look_different(curves, document):
+    told = []
+    curves.model.dataChanged.connect(lambda a, b: told.append(a.row()))
+    curves.model.modelReset.connect(lambda: told.append("reset"))
+    document.apply_curve("Move", 0, document.drawing[0].curve.with_points(0, [[4, 4]]))
+    assert told == []
+    document.apply("Rename", document.drawing.with_item(1, document.drawing[1].with_(name="Loop")))
+    assert told == [1]
+
+
+def test_the_list_grows_to_five_rows_and_then_scrolls(curves, document):
+    heights = []
+    for count in (1, 3, 5, 9):
+        document.apply("Fill", Drawing([Item(some_curve())] * count))
+        heights.append(curves.list.sizeHint().height())
+    assert heights[0] < heights[1] < heights[2] == heights[3]
+
+
+def test_the_last_curve_can_be_deleted(curves, document, selection, qtbot):
+    for _ in range(2):
+        qtbot.mouseClick(curves.delete_button, LEFT)
+    assert len(document.drawing) == 0
+    assert not curves.delete_button.isEnabled()
+    assert not curves.list.currentIndex().isValid()
+    document.undo()
+    assert curves.list.currentIndex().row() == selection.curve == 0
+    assert curves.list.visualRect(curves.model.index(0)).top() == QPoint(0, 0).y()

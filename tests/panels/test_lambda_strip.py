@@ -1,0 +1,174 @@
+import numpy as np
+import pytest
+from panel_hand import CTRL, SHIFT, Hand, some_curve
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QPalette
+
+from theditor.drawing import Drawing, Item
+from theditor.model import DARK, LIGHT, Document, Selection
+from theditor.panels import LambdaStrip
+from theditor.panels import lambda_scale as scale
+from theditor.spline import INTERPOLATING, Curve
+
+KEY = Qt.Key
+
+
+@pytest.fixture
+def strip(document, selection, show):
+    return show(LambdaStrip(document, selection), 858, 180)
+
+
+@pytest.fixture
+def hand(strip):
+    return Hand(strip.viewport())
+
+
+def at(strip, column, value):
+    """Pixel of λ in a column's track."""
+    x = strip.column_left(column) + 33
+    return x, strip.track_top + (1 - float(scale.position(value))) * strip.track_height
+
+
+def lambdas(document):
+    return document.drawing[0].curve.lambdas
+
+
+def test_dragging_a_column_changes_that_parameter_in_one_step(strip, hand, document):
+    hand.press(*at(strip, 9, 0.5))
+    for target in (0.6, 0.7, 2.5):
+        hand.move(*at(strip, 9, target), SHIFT)
+    hand.release()
+    assert lambdas(document)[9] == pytest.approx(2.5, rel=0.05)
+    assert np.delete(lambdas(document), 9).tolist() == np.delete(some_curve().lambdas, 9).tolist()
+    assert document.undo_stack.count() == 1
+    document.undo()
+    assert lambdas(document)[9] == 0.5
+
+
+def test_dragging_one_of_several_selected_columns_changes_all_of_them(strip, hand, document, selection):
+    selection.select(points=[0, 2, 6, 9])
+    hand.press(*at(strip, 6, 1))
+    hand.move(*at(strip, 6, INTERPOLATING[3]))
+    hand.release()
+    assert lambdas(document)[[0, 2, 6, 9]].tolist() == [0.0] + [INTERPOLATING[3]] * 3
+
+
+def test_dragging_across_paints_every_active_column_on_the_way_however_quick(strip, hand, document):
+    hand.press(*at(strip, 9, 1.0))
+    hand.move(*at(strip, 9, 1.02))
+    hand.move(*at(strip, 12, 1.0))
+    hand.release()
+    assert lambdas(document)[9:].tolist() == [1.0, 1.0, 1.0, 0.0]
+    assert document.undo_stack.count() == 1
+
+
+def test_escape_takes_the_painting_back(strip, hand, document, qtbot):
+    before = document.drawing
+    hand.press(*at(strip, 5, 1))
+    hand.move(*at(strip, 8, -3))
+    assert document.drawing != before
+    strip.setFocus()
+    qtbot.keyClick(strip, KEY.Key_Escape)
+    hand.move(*at(strip, 8, 3))
+    hand.release()
+    assert document.drawing == before
+    assert document.undo_stack.count() == 0
+
+
+def test_another_drawing_opened_in_mid_drag_is_left_alone(strip, hand, document):
+    hand.press(*at(strip, 9, 1))
+    hand.move(*at(strip, 9, 3))
+    document.start(Drawing())
+    hand.move(*at(strip, 9, -3))
+    hand.release()
+    assert document.drawing == Drawing()
+
+
+def test_a_modes_value_attracts_the_drag_and_control_makes_it_fine(strip, hand, document):
+    hand.press(*at(strip, 9, 0.5))
+    x, y = at(strip, 9, 1)
+    hand.move(x, y + 3)
+    assert lambdas(document)[9] == 1.0
+    hand.release()
+    document.undo()
+    x, y = at(strip, 9, 0.5)
+    hand.press(x, y)
+    hand.move(x, y - 10, CTRL)
+    moved = float(scale.position(lambdas(document)[9]) - scale.position(0.5))
+    assert moved == pytest.approx(1 / strip.track_height, rel=0.1)
+    hand.release()
+
+
+def test_a_click_selects_and_changes_nothing(strip, hand, document, selection):
+    selection.select(segments=[2])
+    hand.click(*at(strip, 9, -10))
+    assert (selection.points, selection.segments) == ({9}, set())
+    hand.click(*at(strip, 3, 0), SHIFT)
+    assert selection.points == {3, 9}
+    hand.click(*at(strip, 9, 0), SHIFT)
+    assert selection.points == {3}
+    assert document.undo_stack.count() == 0
+
+
+def test_an_inactive_column_says_why_it_cannot_be_dragged(strip, hand, document, qtbot):
+    reason = "λ₀ shapes nothing: the curve is open with free ends."
+    hand.press(*at(strip, 0, 0))
+    with qtbot.waitSignal(strip.announce) as said:
+        hand.move(*at(strip, 0, 5))
+    hand.release()
+    assert said.args == [reason]
+    assert reason in strip.tip(0)
+    assert document.undo_stack.count() == 0
+
+
+def test_tips_give_every_digit_and_the_mode(strip):
+    assert strip.tip(3) == "λ₃ = 8.912056875738365 · interpolating"
+    assert strip.tip(9) == "λ₉ = 0.5 · blend"
+
+
+def test_keys_select_columns_and_step_the_parameter(strip, document, selection, qtbot):
+    selection.select(points=[8])
+    strip.setFocus()
+    qtbot.keyClick(strip, KEY.Key_Right)
+    assert selection.points == {9}
+    for _ in range(2):
+        qtbot.keyClick(strip, KEY.Key_Up)
+    assert lambdas(document)[9] == 0.52
+    assert document.undo_stack.count() == 1
+    qtbot.keyClick(strip, KEY.Key_PageDown)
+    assert lambdas(document)[9] == 0.0
+    qtbot.keyClick(strip, KEY.Key_End)
+    assert selection.points == {12}
+
+
+def test_bars_have_the_colour_of_their_mode_in_light_and_dark(strip):
+    for colours in (LIGHT, DARK):
+        palette = QPalette(strip.palette())
+        palette.setColor(QPalette.ColorRole.Window, QColor(colours.panel))
+        strip.setPalette(palette)
+        picture = strip.viewport().grab().toImage()
+        for column, colour in ((3, colours.interpolating), (5, colours.hyperbolic), (9, colours.blend)):
+            x, top = at(strip, column, some_curve().lambdas[column])
+            _, bottom = at(strip, column, 0)
+            assert picture.pixelColor(x, round((top + 2 + bottom) / 2)).name() == colour.lower()
+
+
+@pytest.fixture
+def long_curve(qapp):
+    angles = np.linspace(0, 900, 100_000)
+    return Curve(np.c_[np.cos(angles), angles, np.sin(angles)], np.tile([0.0, 1.0, 0.5, 3.0], 25_000))
+
+
+def test_a_hundred_thousand_columns_scroll_to_the_selected_one_and_paint_only_what_shows(show, long_curve):
+    document = Document(Drawing([Item(long_curve)]))
+    selection = Selection(document)
+    strip = show(LambdaStrip(document, selection), 400, 200)
+    selection.select(points=[99_000])
+    x = strip.column_left(99_000)
+    assert 0 <= x <= 400 - 44
+    hand = Hand(strip.viewport())
+    hand.press(x + 22, 60)
+    hand.move(x + 22, 40)
+    hand.release()
+    changed = np.flatnonzero(lambdas(document) != long_curve.lambdas)
+    assert changed.tolist() == [99_000]
