@@ -223,6 +223,12 @@ def test_neighbours_of_a_changed_segment_become_blends_unless_they_agree():
     assert curve.with_mode([1, 3], T).modes == (B, T, T, T, B)
 
 
+def test_the_mode_of_a_clamped_end_segment_is_its_one_active_lambda():
+    curve = Curve(np.arange(10).reshape(5, 2), 0.5, ends="clamped").with_mode([0, 3], Mode.HYPERBOLIC)
+    assert curve.lambdas.tolist() == [0.5, 1, 0.5, 1, 0.5]
+    assert curve.modes == (Mode.HYPERBOLIC, Mode.BLEND, Mode.BLEND, Mode.HYPERBOLIC)
+
+
 def test_segments_are_numbered_and_counted_as_degree_and_ends_demand():
     points = np.arange(14).reshape(7, 2) ** 2
     table = {

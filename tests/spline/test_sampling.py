@@ -145,6 +145,14 @@ def test_curves_that_do_not_correspond_have_no_changed_segments():
     assert changed_segments(curve, Curve(np.arange(14).reshape(7, 2))).tolist() == []
 
 
+@pytest.mark.parametrize("degree", [2, 3])
+@pytest.mark.parametrize("ends", ["free", "clamped"])
+def test_an_inactive_lambda_changes_no_segment(degree, ends):
+    curve = Curve(np.arange(14).reshape(7, 2) ** 2, 0.5, degree, ends=ends)
+    idle = np.flatnonzero(~curve.active_lambdas)
+    assert changed_segments(curve, curve.with_lambdas(idle, 3.0)).tolist() == []
+
+
 def test_a_lone_straight_segment_counts_as_changed_when_its_mode_does():
     line = Curve([(0, 0), (1, 1)], ends="clamped")
     assert changed_segments(line, line.with_mode(0, Mode.HYPERBOLIC)).tolist() == [0]
