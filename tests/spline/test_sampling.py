@@ -234,6 +234,14 @@ def test_only_what_a_window_shows_is_sampled():
         sample_adaptively(wave, 0.01, low=(0, 0, 0))
 
 
+def test_chosen_segments_are_drawn_in_the_order_asked_for():
+    curve = large_curve(3)
+    for chosen in ([4, 0, 7000], range(curve.segment_count - 1, -1, -1)):
+        drawn = sample_adaptively(curve, 1.0, segments=chosen)
+        assert drawn.segments.tolist() == list(chosen)
+        np.testing.assert_allclose(drawn.points[drawn.starts[:-1]], curve(chosen), rtol=0, atol=1e-14)
+
+
 @pytest.mark.parametrize("tolerance", [0, -1, np.nan, np.inf])
 def test_a_tolerance_must_be_positive(tolerance):
     with pytest.raises(ValueError, match="tolerance must be a positive number"):

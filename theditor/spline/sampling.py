@@ -205,32 +205,35 @@ def sample_adaptively(
     ValueError
         As `intervals_for` does, or if a corner has not one number for each coordinate.
     """
+    window = low is not None or high is not None
     if segments is None:
-        chosen = np.arange(curve.segment_count)
+        chosen, parts, turning = np.arange(curve.segment_count), curve.joint_form, curve.turning
+        boxes = curve.boxes if window else None
     else:
         chosen = clean_indices(segments, curve.segment_count, "segment")
-    if low is not None or high is not None:
-        box_low, box_high = curve.boxes
-        seen = (box_high >= _corner(low, -np.inf, curve)) & (box_low <= _corner(high, np.inf, curve))
-        chosen = chosen[np.logical_and.reduce(seen, axis=0)[chosen]]
-    intervals = _intervals(curve.turning[chosen], tolerance, 512)
+        parts = joints.take_segments(curve, chosen)
+        turning = bounds.turning(parts, curve.degree)
+        boxes = bounds.boxes(parts, curve.degree) if window else None
+    shown = np.arange(len(chosen))
+    if boxes is not None:
+        seen = (boxes[1] >= _corner(low, -np.inf, curve)) & (boxes[0] <= _corner(high, np.inf, curve))
+        shown = np.flatnonzero(np.logical_and.reduce(seen, axis=0))
+    intervals = _intervals(turning[shown], tolerance, 512)
     starts = np.concatenate(([0], np.cumsum(intervals + 1)))
     points = np.empty((curve.dimension, starts[-1]))
     for count in np.flatnonzero(np.bincount(intervals)).tolist():
         matrix = _generators(count, curve.degree)
         group = np.flatnonzero(intervals == count)
-        parts = curve.joint_form
-        if len(group) < curve.segment_count:
-            parts = parts.take(chosen[group])
-        if len(group) == len(chosen):
-            _fill(parts, matrix, points.reshape(len(points), -1, count + 1))
+        alike = parts if len(group) == len(chosen) else parts.take(shown[group])
+        if len(group) == len(shown):
+            _fill(alike, matrix, points.reshape(len(points), -1, count + 1))
             break
         part = np.empty((len(points), len(group), count + 1))
-        _fill(parts, matrix, part)
+        _fill(alike, matrix, part)
         places = starts[group, None] + np.arange(count + 1)
         for axis, values in enumerate(part):
             points[axis][places] = values
-    return Samples(chosen, intervals, starts, points.T)
+    return Samples(chosen[shown], intervals, starts, points.T)
 
 
 def _generators(intervals: int, degree: int) -> Floats:
