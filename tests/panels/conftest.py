@@ -1,17 +1,8 @@
-from pathlib import Path
-
 import pytest
 from panel_hand import some_curve
 
 from theditor.drawing import Drawing, Item
 from theditor.model import Document, Selection
-
-
-def pytest_collection_modifyitems(items):
-    """Overlook that Qt's screenless platform cannot tell a window its least size."""
-    for item in items:
-        if Path(__file__).parent in item.path.parents:
-            item.add_marker(pytest.mark.qt_log_ignore("does not support propagateSizeHints"))
 
 
 @pytest.fixture

@@ -156,6 +156,9 @@ QPushButton:focus, QToolButton:focus { border-color: $accent; }
 QPushButton:checked, QToolButton:checked { background: $accent; color: $on_accent; border-color: $accent; }
 QPushButton:disabled, QToolButton:disabled { color: $faded; background: $panel; }
 QPushButton:default { border-color: $accent; }
+QToolButton[segment="left"] { border-top-right-radius: 0; border-bottom-right-radius: 0; border-right: none; }
+QToolButton[segment="middle"] { border-radius: 0; }
+QToolButton[segment="right"] { border-top-left-radius: 0; border-bottom-left-radius: 0; border-left: none; }
 QPushButton { min-width: 56px; }
 QListView, QTableView { background: $panel; color: $text; border: none; outline: none; }
 QListView::item:selected { background: $selection; color: $accent_text; }

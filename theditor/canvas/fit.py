@@ -11,7 +11,7 @@ from theditor.drawing import Drawing
 MARGIN = 1 / 12
 """Share of the canvas that stays free on each side."""
 LEAST = (32.0, 64.0, 32.0, 48.0)
-"""Pixels that stay free at least: left, top (for the legend and labels), right, bottom (for labels and the grid's numbers)."""
+"""Pixels that stay free at least: left, top (legend, labels), right, bottom (labels, the grid's numbers)."""
 
 
 def extent(drawing: Drawing, *, polygons: bool = True) -> tuple[Floats, Floats]:

@@ -113,8 +113,10 @@ class Selection(QObject):
 
 def shaping_points(curve: Curve, segments: Iterable[int]) -> NDArray[np.intp]:
     """Control points whose λ shape any of `segments`, ascending."""
-    shaping = {i for s in segments for i in curve.lambda_indices(s) if i is not None}
-    return np.array(sorted(shaping), dtype=np.intp)
+    first = np.fromiter(segments, dtype=np.intp) + curve.first_segment
+    points = np.unique(np.concatenate([first, first + 1]) % len(curve.control_points))
+    active: NDArray[np.intp] = points[curve.active_lambdas[points]]
+    return active
 
 
 def _below(indices: frozenset[int], count: int) -> frozenset[int]:

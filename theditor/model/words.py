@@ -1,4 +1,4 @@
-"""How curves, segments and shape parameters are called in the panels. No Qt here."""
+"""How curves, segments and shape parameters are called in the window. No Qt here."""
 
 from __future__ import annotations
 

@@ -7,8 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
 from theditor.drawing import Drawing, DrawingError, Item
 from theditor.drawing.drawing import NAME_LENGTH
-from theditor.model import Document, Selection
-from theditor.panels import words
+from theditor.model import Document, Selection, words
 from theditor.panels.curve_list import CurveList, CurveModel
 from theditor.panels.parts import column, describe, heading
 

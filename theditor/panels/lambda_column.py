@@ -8,9 +8,9 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from theditor.model import Colours
+from theditor.model.words import indexed
 from theditor.panels import lambda_scale as scale
 from theditor.panels.parts import small_font
-from theditor.panels.words import indexed
 from theditor.spline import CONVEX_HULL_RANGE, mode_of
 
 _TRACK_WIDTH = 18.0

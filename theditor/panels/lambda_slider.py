@@ -19,9 +19,9 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from theditor.model import Colours, colours_for
+from theditor.model.words import exact
 from theditor.panels import lambda_scale as scale
 from theditor.panels.parts import small_font
-from theditor.panels.words import exact
 from theditor.spline import CONVEX_HULL_RANGE
 
 _INSET = 8.0

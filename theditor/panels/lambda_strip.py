@@ -8,9 +8,8 @@ from PySide6.QtGui import QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEv
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QFrame, QToolTip, QWidget
 
 from theditor.drawing import Item
-from theditor.model import Document, Selection, colours_for
+from theditor.model import Document, Selection, colours_for, words
 from theditor.panels import lambda_scale as scale
-from theditor.panels import words
 from theditor.panels.lambda_column import Column, caption_height, paint_column
 from theditor.panels.lambda_edit import LambdaGesture, editable, set_lambdas, step_lambdas
 from theditor.spline import mode_of

@@ -8,8 +8,8 @@ from PySide6.QtCore import QEvent, QLocale, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence, QValidator, QWheelEvent
 from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QWidget
 
+from theditor.model.words import exact
 from theditor.panels.parts import tabular
-from theditor.panels.words import exact
 
 # More decimals than any double has: QDoubleSpinBox rounds to them.
 _DECIMALS = 323

@@ -17,10 +17,10 @@ from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPainterPath
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from theditor.model import Colours, colours_for
+from theditor.model.words import MODE_LETTERS
 from theditor.panels.parts import MARGIN, small_font, tabular
 from theditor.panels.rows import ROW_HEIGHT, SWATCH, RowList, paint_ground, paint_swatch
 from theditor.panels.segment_model import SegmentModel
-from theditor.panels.words import MODE_LETTERS
 from theditor.spline import Mode
 
 ModelIndex = QModelIndex | QPersistentModelIndex

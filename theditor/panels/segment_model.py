@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 
-from theditor.panels import words
+from theditor.model import words
 from theditor.spline import Curve, Mode
 
 ModelIndex = QModelIndex | QPersistentModelIndex

@@ -6,8 +6,7 @@ from PySide6.QtCore import QItemSelection, QItemSelectionModel, Signal
 from PySide6.QtWidgets import QWidget
 
 from theditor.drawing import Item
-from theditor.model import Document, Selection
-from theditor.panels import words
+from theditor.model import Document, Selection, words
 from theditor.panels.parts import column, describe, heading
 from theditor.panels.segment_list import SegmentList
 from theditor.panels.segment_model import SegmentModel, runs

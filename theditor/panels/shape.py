@@ -6,8 +6,7 @@ import numpy as np
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
-from theditor.model import Document, Selection
-from theditor.panels import words
+from theditor.model import Document, Selection, words
 from theditor.panels.lambda_edit import LambdaGesture, editable, set_lambdas, step_lambdas
 from theditor.panels.lambda_slider import LambdaSlider
 from theditor.panels.number_field import NumberField
