@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtGui import QFont, QWheelEvent
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QFont, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 MARGIN = 16
@@ -40,11 +41,36 @@ def heading(text: str, *, capitals: bool = True) -> QLabel:
     return label
 
 
-def secondary(text: str = "") -> QLabel:
-    """Return a label for secondary text."""
-    label = QLabel(text)
-    label.setProperty("role", "secondary")
-    return label
+class Paragraph(QLabel):
+    """Secondary text in lines as wide as there is room, and just as high as they need.
+
+    A wrapping `QLabel` would make its whole column trade height for width, and keep the lists in it from
+    shrinking; this one settles its own height whenever its width or its text changes.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "secondary")
+        self.setWordWrap(True)
+
+    def hasHeightForWidth(self) -> bool:
+        """Never: the height is settled here."""
+        return False
+
+    def setText(self, text: str) -> None:
+        """Show another text."""
+        super().setText(text)
+        self._settle()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Break the lines anew."""
+        super().resizeEvent(event)
+        self._settle()
+
+    def _settle(self) -> None:
+        width = max(self.width(), 1)
+        box = self.fontMetrics().boundingRect(0, 0, width, 10_000, Qt.TextFlag.TextWordWrap, self.text())
+        self.setFixedHeight(box.height() + 2)
 
 
 def small_font(font: QFont) -> QFont:

@@ -6,7 +6,6 @@ from collections import Counter
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 
 from theditor.model import Document, Selection
@@ -19,7 +18,7 @@ from theditor.model.words import (
     number,
     symbols,
 )
-from theditor.panels.parts import MARGIN, column, heading, secondary
+from theditor.panels.parts import Paragraph, column, heading
 from theditor.spline import Curve, Mode, mode_of
 
 _SPANS = {
@@ -39,25 +38,15 @@ class SegmentPanel(QWidget):
         self._selection = selection
         self._shown: tuple[Curve | None, frozenset[int]] = (None, frozenset({-1}))
         self.heading = heading("Segment")
-        self.text = secondary()
-        self.text.setWordWrap(True)
+        self.text = Paragraph()
         self.text.setAccessibleName("Selected segment")
         layout = column(self)
         layout.addWidget(self.heading)
         layout.addWidget(self.text)
         layout.addStretch(1)
-        self._keep_whole()
         document.changed.connect(self._follow)
         selection.changed.connect(self._follow)
         self._follow()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep the wrapped text whole in another width."""
-        super().resizeEvent(event)
-        self._keep_whole()
-
-    def _keep_whole(self) -> None:
-        self.text.setMinimumHeight(max(self.text.heightForWidth(self.width() - 2 * MARGIN), 0))
 
     def _follow(self) -> None:
         item, segments = self._selection.item, self._selection.segments
@@ -76,7 +65,6 @@ class SegmentPanel(QWidget):
         else:
             self.heading.setText(f"{len(segments)} segments")
             self.text.setText("\n".join(summary(curve, segments)))
-        self._keep_whole()
 
 
 def description(curve: Curve, segment: int) -> list[str]:
