@@ -139,6 +139,10 @@ def test_hover_says_what_would_be_grabbed(canvas, hand, qtbot):
     with qtbot.waitSignal(canvas.pointed) as told:
         hand.move(canvas.document.drawing[0].curve(1.5))
     assert told.args[0].over == "over segment 2 at t = 0.50"
+    beside = canvas.document.drawing[0].curve(1.5) + np.array([0, 3.0 / canvas.plane.scale])
+    assert colour_near(canvas, beside, LIGHT.selection)
+    hand.move([20.0, 20.0])
+    assert not colour_near(canvas, beside, LIGHT.selection)
 
 
 def test_the_wheel_zooms_at_the_pointer_and_f_fits(canvas, hand):

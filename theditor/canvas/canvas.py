@@ -157,6 +157,9 @@ class Canvas(pg.GraphicsView):
         drawing, selection = self._document.drawing, self._selection
         self._curves.update(drawing, plane)
         item = selection.item
+        if isinstance(self._hit, SegmentHit):
+            halo = [self._hit.segment]
+            self._curves.paint_halo(painter, self._hit.curve, halo, plane, colours, width=7.0)
         if not len(drawing):
             self._paint_empty(painter, colours)
         if item is None or not item.visible:
@@ -255,7 +258,7 @@ class Canvas(pg.GraphicsView):
         self._hit = self.hit(self._pointer.at) if self._pointer is not None and self._drag is None else None
         if self._drag is None:
             self._set_cursor()
-        if isinstance(before, PointHit) or isinstance(self._hit, PointHit):
+        if _grabbed(before) != _grabbed(self._hit):
             self.viewport().update()
         self._tell()
 
@@ -385,6 +388,11 @@ class Canvas(pg.GraphicsView):
         """A Space held while the focus left counts as let go."""
         self._space = False
         super().focusOutEvent(event)
+
+
+def _grabbed(hit: Hit) -> PointHit | tuple[int, int] | None:
+    """What a hit would grab, whatever its exact place."""
+    return (hit.curve, hit.segment) if isinstance(hit, SegmentHit) else hit
 
 
 def _paint_marquee(painter: QPainter, low: Floats, high: Floats, colours: Colours) -> None:

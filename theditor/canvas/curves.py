@@ -60,13 +60,19 @@ class CurvesPainter:
                 draw_lines(painter, stroke.lines)
 
     def paint_halo(
-        self, painter: QPainter, index: int, segments: Iterable[int], viewport: Viewport, colours: Colours
+        self,
+        painter: QPainter,
+        index: int,
+        segments: Iterable[int],
+        viewport: Viewport,
+        colours: Colours,
+        width: float = 11.0,
     ) -> None:
-        """Paint the soft band behind selected segments of curve `index`."""
+        """Paint the soft band behind selected (or, narrower, hovered) segments of curve `index`."""
         chosen = np.array(sorted(segments), dtype=np.intp)
         if index in self._traces and len(chosen):
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            pen = curve_pen(colours.selection, 11.0)
+            pen = curve_pen(colours.selection, width)
             pen.setCapStyle(Qt.PenCapStyle.RoundCap)
             painter.setPen(pen)
             for stroke in strokes(self.plane_curve(index), viewport, chosen):
