@@ -176,6 +176,13 @@ def test_zoom_stops_where_numbers_end(canvas, hand):
         canvas.grab()
 
 
+def test_a_point_stops_where_coordinates_end(canvas, hand):
+    canvas.show_view(0.0, 0.0, 1e-10)
+    canvas.document.start(Drawing([Item(Curve([[0, 0], [1e11, 1e12], [-1e12, 1e12], [0, -1e12]]))]))
+    hand.drag([1e11, 1e12], [4e12, 3e12])
+    assert points(canvas)[1].tolist() == [1e12, 1e12]
+
+
 def test_fitting_leaves_a_margin_and_survives_resizing(canvas, qtbot):
     def margins():
         pixels = canvas.plane.to_pixels(np.vstack([POINTS, OTHER]))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 from PySide6.QtCore import QSettings, QSize, Qt
 from PySide6.QtGui import QAction, QActionGroup, QCloseEvent
 from PySide6.QtWidgets import (
@@ -36,7 +37,7 @@ from theditor.panels.segment_info import SegmentPanel
 from theditor.panels.segments import SegmentsPanel
 from theditor.panels.shape import ShapePanel
 from theditor.resources import gallery, version
-from theditor.spline import Curve
+from theditor.spline import MAX_COORDINATE, Curve
 
 FILE_FILTER = "theditor drawings (*.json);;All files (*)"
 COLUMN_WIDTH = 400
@@ -329,7 +330,7 @@ class MainWindow(QMainWindow):
         plane, drawing = self.canvas.plane, self.document.drawing
         reach = 0.3 * min(plane.width, plane.height) / plane.scale
         shape = [(-1.2, -0.5), (-0.7, 0.6), (0.0, -0.3), (0.7, 0.6), (1.2, -0.5)]
-        points = [(plane.x + reach * x, plane.y + reach * y) for x, y in shape]
+        points = (np.array(shape) * reach + (plane.x, plane.y)).clip(-MAX_COORDINATE, MAX_COORDINATE)
         names = {item.name for item in drawing}
         number = next(n for n in range(1, len(drawing) + 2) if f"Curve {n}" not in names)
         item = Item(Curve(points, ends="clamped"), name=f"Curve {number}")

@@ -32,8 +32,11 @@ from theditor.canvas.viewport import Floats, Viewport
 from theditor.canvas.words import describe, hint
 from theditor.drawing import Drawing
 from theditor.model import Colours, Document, Selection, colours_for
+from theditor.spline import MAX_COORDINATE
 
 ZOOM_STEP = 1.25
+WIDEST = 1e13
+"""The largest part of the plane that is shown, in units; coordinates end at 10¹²."""
 
 
 @dataclass(frozen=True)
@@ -109,7 +112,8 @@ class Canvas(pg.GraphicsView):
         """Show the plane around a point, at a scale in pixels per unit, within what floats can resolve."""
         size = self._box.rect()
         finest = max(1e-9, 1e-11 * max(abs(x), abs(y)))
-        width = min(max(size.width() / scale, finest), 1e14)
+        width = min(max(size.width() / scale, finest), WIDEST)
+        x, y = (min(max(v, -MAX_COORDINATE), MAX_COORDINATE) for v in (x, y))
         height = width * size.height() / size.width()
         self._fitted = False
         self._box.setRange(QRectF(x - width / 2, y - height / 2, width, height), padding=0)

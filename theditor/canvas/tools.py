@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from theditor.canvas.projection import moved, projected
 from theditor.canvas.viewport import Viewport
 from theditor.model import Document, Gesture, Selection
+from theditor.spline import MAX_COORDINATE
 
 Floats = NDArray[np.float64]
 
@@ -77,7 +78,7 @@ class MovePoints:
             offset[int(np.argmin(np.abs(offset)))] = 0.0
         before = self._gesture.before
         curve = before[self._selection.curve].curve
-        points = moved(curve.control_points[self._chosen], offset)
+        points = moved(curve.control_points[self._chosen], offset).clip(-MAX_COORDINATE, MAX_COORDINATE)
         self._gesture.preview(
             before.with_curve(self._selection.curve, curve.with_points(self._chosen, points))
         )
