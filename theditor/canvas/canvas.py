@@ -7,48 +7,32 @@ from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QRectF, Qt, Signal
 from PySide6.QtGui import (
-    QColor,
     QFocusEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
-    QPen,
     QResizeEvent,
     QWheelEvent,
 )
 from PySide6.QtWidgets import QWidget
 
-from theditor.canvas import handles
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.fit import fitted
-from theditor.canvas.grid import paint_grid
 from theditor.canvas.hit_test import Hit, PointHit, SegmentHit, nearest_handle, nearest_place
-from theditor.canvas.labels import MOST, paint_labels
 from theditor.canvas.legend import Legend
+from theditor.canvas.picture import Frame, Shown, paint_ground, paint_picture
 from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pan, PickSegment, Pointer
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.canvas.words import describe, hint
 from theditor.drawing import Drawing
-from theditor.model import Colours, Document, Selection, colours_for
+from theditor.model import Document, Selection, colours_for
 from theditor.spline import MAX_COORDINATE
 
 ZOOM_STEP = 1.25
 WIDEST = 1e13
 """The largest part of the plane that is shown, in units; coordinates end at 10¹²."""
-
-
-@dataclass(frozen=True)
-class Shown:
-    """What the canvas shows beside the curves."""
-
-    polygon: bool = True
-    labels: bool = True
-    joints: bool = True
-    modes: bool = True
-    grid: bool = True
-    legend: bool = True
 
 
 @dataclass(frozen=True)
@@ -150,61 +134,28 @@ class Canvas(pg.GraphicsView):
 
     def drawBackground(self, painter: QPainter, rect: QRectF) -> None:
         """Paint the ground and the grid."""
-        colours = self._colours
-        painter.fillRect(rect, QColor(colours.canvas))
-        if self._shown.grid:
-            paint_grid(painter, self.plane, colours, self.font())
+        paint_ground(painter, self._frame())
 
     def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
-        """Paint the curves, then what the current one is held by."""
-        plane, colours = self.plane, self._colours
-        drawing, selection = self._document.drawing, self._selection
-        self._curves.update(drawing, plane)
-        item = selection.item
-        if isinstance(self._hit, SegmentHit):
-            halo = [self._hit.segment]
-            self._curves.paint_halo(painter, self._hit.curve, halo, plane, colours, width=7.0)
-        if not len(drawing):
-            self._paint_empty(painter, colours)
-        if item is None or not item.visible:
-            self._curves.paint(painter, drawing, -1, colours, by_mode=False)
-            return
-        curve = self._curves.plane_curve(selection.curve)
-        if self._shown.polygon:
-            handles.paint_polygon(painter, curve, plane, colours)
-        self._curves.paint_halo(painter, selection.curve, selection.segments, plane, colours)
-        self._curves.paint(painter, drawing, selection.curve, colours, by_mode=self._shown.modes)
-        if self._shown.joints:
-            handles.paint_joints(painter, curve, plane, colours)
-        hovered = self._hit.index if isinstance(self._hit, PointHit) else None
-        handles.paint_handles(painter, curve, plane, selection.points, hovered, colours)
-        if self._shown.labels:
-            self._paint_labels(painter, plane, colours)
-        if isinstance(self._drag, Marquee) and self._drag.box is not None:
-            _paint_marquee(painter, *self._drag.box, colours)
+        """Paint the curves, and what the current one is held by."""
+        paint_picture(painter, self._frame(), self._curves)
 
-    def _paint_labels(self, painter: QPainter, plane: Viewport, colours: Colours) -> None:
-        index = self._selection.curve
-        pixels = plane.to_pixels(self._curves.plane_curve(index).control_points)
-        inside = ((pixels >= 0) & (pixels <= (plane.width, plane.height))).all(axis=1)
-        visible = np.flatnonzero(inside)
-        if len(visible) <= MOST:
-            on_curve = [stroke.lines[:, :2] for stroke in self._curves.trace(index).strokes()]
-            obstacles = np.vstack([np.empty((0, 2)), *on_curve])
-            chosen = self._selection.points
-            paint_labels(painter, visible.tolist(), pixels[visible], obstacles, chosen, colours, self.font())
-
-    def _paint_empty(self, painter: QPainter, colours: Colours) -> None:
-        painter.setPen(QColor(colours.secondary))
-        painter.setFont(self.font())
-        text = "This drawing is empty.\nCurve › Add curve puts one here; File › Open gallery shows examples."
-        painter.drawText(QRectF(self.viewport().rect()), Qt.AlignmentFlag.AlignCenter, text)
+    def _frame(self) -> Frame:
+        selection = self._selection
+        return Frame(
+            self._document.drawing,
+            selection.curve,
+            selection.points,
+            selection.segments,
+            self._hit,
+            self.plane,
+            self._shown,
+            colours_for(self.palette()),
+            self.font(),
+            self._drag.box if isinstance(self._drag, Marquee) else None,
+        )
 
     # Following the model
-
-    @property
-    def _colours(self) -> Colours:
-        return colours_for(self.palette())
 
     def _view_changed(self, *_: Any) -> None:
         self._hover()
@@ -397,13 +348,3 @@ class Canvas(pg.GraphicsView):
 def _grabbed(hit: Hit) -> PointHit | tuple[int, int] | None:
     """What a hit would grab, whatever its exact place."""
     return (hit.curve, hit.segment) if isinstance(hit, SegmentHit) else hit
-
-
-def _paint_marquee(painter: QPainter, low: Floats, high: Floats, colours: Colours) -> None:
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-    fill = QColor(colours.accent)
-    fill.setAlpha(28)
-    painter.setBrush(fill)
-    painter.setPen(QPen(QColor(colours.accent), 1))
-    painter.drawRect(QRectF(QPointF(*low), QPointF(*high)))
-    painter.setBrush(Qt.BrushStyle.NoBrush)

@@ -1,0 +1,110 @@
+"""One frame of the canvas: everything that it shows, as a value, and the order in which it is painted."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QPainter, QPen
+
+from theditor.canvas import handles
+from theditor.canvas.curves import CurvesPainter
+from theditor.canvas.grid import paint_grid
+from theditor.canvas.hit_test import Hit, PointHit, SegmentHit
+from theditor.canvas.labels import MOST, paint_labels
+from theditor.canvas.viewport import Floats, Viewport
+from theditor.drawing import Drawing
+from theditor.model import Colours
+from theditor.spline import Curve
+
+EMPTY = "This drawing is empty.\nCurve › Add curve puts one here; File › Open gallery shows examples."
+
+
+@dataclass(frozen=True)
+class Shown:
+    """What the canvas shows beside the curves."""
+
+    polygon: bool = True
+    labels: bool = True
+    joints: bool = True
+    modes: bool = True
+    grid: bool = True
+    legend: bool = True
+
+
+@dataclass(frozen=True)
+class Frame:
+    """What one frame shows."""
+
+    drawing: Drawing
+    current: int
+    points: frozenset[int]
+    segments: frozenset[int]
+    hit: Hit
+    plane: Viewport
+    shown: Shown
+    colours: Colours
+    font: QFont
+    marquee: tuple[Floats, Floats] | None = None
+
+
+def paint_ground(painter: QPainter, frame: Frame) -> None:
+    """Paint what lies behind the drawing."""
+    painter.fillRect(QRectF(0, 0, frame.plane.width, frame.plane.height), QColor(frame.colours.canvas))
+    if frame.shown.grid:
+        paint_grid(painter, frame.plane, frame.colours, frame.font)
+
+
+def paint_picture(painter: QPainter, frame: Frame, curves: CurvesPainter) -> None:
+    """Paint the curves, then what the current one is held by."""
+    drawing, current, plane, colours = frame.drawing, frame.current, frame.plane, frame.colours
+    curves.update(drawing, plane)
+    if not len(drawing):
+        _paint_empty(painter, frame)
+    if isinstance(frame.hit, SegmentHit):
+        curves.paint_halo(painter, frame.hit.curve, [frame.hit.segment], plane, colours, width=7.0)
+    if current < 0 or not drawing[current].visible:
+        curves.paint(painter, drawing, -1, colours, by_mode=False)
+        return
+    curve = curves.plane_curve(current)
+    if frame.shown.polygon:
+        handles.paint_polygon(painter, curve, plane, colours)
+    curves.paint_halo(painter, current, frame.segments, plane, colours)
+    curves.paint(painter, drawing, current, colours, by_mode=frame.shown.modes)
+    if frame.shown.joints:
+        handles.paint_joints(painter, curve, plane, colours)
+    hovered = frame.hit.index if isinstance(frame.hit, PointHit) else None
+    handles.paint_handles(painter, curve, plane, frame.points, hovered, colours)
+    if frame.shown.labels:
+        _paint_labels(painter, frame, curve, curves)
+    if frame.marquee is not None:
+        _paint_marquee(painter, *frame.marquee, colours)
+
+
+def _paint_labels(painter: QPainter, frame: Frame, curve: Curve, curves: CurvesPainter) -> None:
+    pixels = frame.plane.to_pixels(curve.control_points)
+    inside = ((pixels >= 0) & (pixels <= (frame.plane.width, frame.plane.height))).all(axis=1)
+    visible = np.flatnonzero(inside)
+    if len(visible) <= MOST:
+        on_curve = [stroke.lines[:, :2] for stroke in curves.trace(frame.current).strokes()]
+        obstacles = np.vstack([np.empty((0, 2)), *on_curve])
+        names = visible.tolist()
+        paint_labels(painter, names, pixels[visible], obstacles, frame.points, frame.colours, frame.font)
+
+
+def _paint_empty(painter: QPainter, frame: Frame) -> None:
+    painter.setPen(QColor(frame.colours.secondary))
+    painter.setFont(frame.font)
+    room = QRectF(0, 0, frame.plane.width, frame.plane.height)
+    painter.drawText(room, Qt.AlignmentFlag.AlignCenter, EMPTY)
+
+
+def _paint_marquee(painter: QPainter, low: Floats, high: Floats, colours: Colours) -> None:
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+    fill = QColor(colours.accent)
+    fill.setAlpha(28)
+    painter.setBrush(fill)
+    painter.setPen(QPen(QColor(colours.accent), 1))
+    painter.drawRect(QRectF(QPointF(*low), QPointF(*high)))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
