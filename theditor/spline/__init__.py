@@ -19,6 +19,7 @@ from theditor.spline.sampling import (
     sample_adaptively,
     segment_bounds,
 )
+from theditor.spline.shape import PULL_BOUNDS, Pulled, pull, pull_points
 
 __all__ = [
     "CONVEX_HULL_RANGE",
@@ -26,9 +27,11 @@ __all__ = [
     "JOINT_SLOPE_ZERO",
     "MAX_COORDINATE",
     "MAX_LAMBDA",
+    "PULL_BOUNDS",
     "Curve",
     "Ends",
     "Mode",
+    "Pulled",
     "Samples",
     "basis",
     "changed_segments",
@@ -37,6 +40,8 @@ __all__ = [
     "intervals_for",
     "lambda_of",
     "mode_of",
+    "pull",
+    "pull_points",
     "sample_adaptively",
     "segment_bounds",
 ]
