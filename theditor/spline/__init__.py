@@ -11,6 +11,8 @@ from theditor.spline.basis import (
 )
 from theditor.spline.checks import MAX_COORDINATE, MAX_LAMBDA, fewest_points
 from theditor.spline.curve import Curve, Ends
+from theditor.spline.lambdas import gradient, shifted, smoothed
+from theditor.spline.reach import Reach, Track, joint_track, middle_track, reach
 from theditor.spline.sampling import (
     Samples,
     changed_segments,
@@ -20,6 +22,7 @@ from theditor.spline.sampling import (
     segment_bounds,
 )
 from theditor.spline.shape import PULL_BOUNDS, Pulled, pull, pull_points
+from theditor.spline.uniform import uniform_b_spline_samples
 
 __all__ = [
     "CONVEX_HULL_RANGE",
@@ -32,16 +35,25 @@ __all__ = [
     "Ends",
     "Mode",
     "Pulled",
+    "Reach",
     "Samples",
+    "Track",
     "basis",
     "changed_segments",
     "evaluate_segments",
     "fewest_points",
+    "gradient",
     "intervals_for",
+    "joint_track",
     "lambda_of",
+    "middle_track",
     "mode_of",
     "pull",
     "pull_points",
+    "reach",
     "sample_adaptively",
     "segment_bounds",
+    "shifted",
+    "smoothed",
+    "uniform_b_spline_samples",
 ]

@@ -73,7 +73,7 @@ def pull(
         `which` makes no sense.
     """
     segment, t = locate(curve, u)
-    point, goal = curve(u), clean_target(curve, target)
+    point, goal = curve(u), clean_target(curve.dimension, target)
     low, high = clean_bounds(bounds)
     columns = motion(curve, segment, t).columns
     if which == "nearer":
@@ -114,7 +114,7 @@ def pull_points(curve: Curve, u: float, target: ArrayLike) -> Curve:
         point would have to go too far out.
     """
     segment, t = locate(curve, u)
-    gap = clean_target(curve, target) - curve(u)
+    gap = clean_target(curve.dimension, target) - curve(u)
     indices, matrix = defining_points(curve, segment)
     where = (np.arange(2) + segment + curve.first_segment) % len(curve.control_points)
     # A clamped cubic end has the same points whatever its λ; 0 keeps rounding small.
@@ -179,9 +179,9 @@ def locate(curve: Curve, u: float) -> tuple[int, float]:
     return segment, float(u) - segment
 
 
-def clean_target(curve: Curve, target: ArrayLike) -> Floats:
+def clean_target(dimension: int, target: ArrayLike) -> Floats:
     """Return a target as an array, (d,), or refuse it."""
-    goal = clean_values(target, "the target", (curve.dimension,))
+    goal = clean_values(target, "the target", (dimension,))
     if not (np.abs(goal) <= MAX_COORDINATE).all():
         raise ValueError(f"the target must be finite and at most {MAX_COORDINATE:g} in size, not {goal}")
     return goal
