@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -20,15 +21,25 @@ from PySide6.QtWidgets import QWidget
 
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.fit import fitted
-from theditor.canvas.hit_test import Hit, PointHit, SegmentHit, nearest_handle, nearest_place
+from theditor.canvas.hit_test import (
+    Hit,
+    JointHit,
+    MiddleHit,
+    PointHit,
+    SegmentHit,
+    nearest_handle,
+    nearest_place,
+    sliding_place,
+)
 from theditor.canvas.legend import Legend
 from theditor.canvas.picture import Frame, Shown, paint_ground, paint_picture
-from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pan, PickSegment, Pointer
+from theditor.canvas.shaping import PullCurve, SlideJoint
+from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pan, Pointer
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.canvas.words import describe, hint
 from theditor.drawing import Drawing
 from theditor.model import Document, Selection, colours_for
-from theditor.spline import MAX_COORDINATE
+from theditor.spline import CONVEX_HULL_RANGE, MAX_COORDINATE, PULL_BOUNDS
 
 ZOOM_STEP = 1.25
 WIDEST = 1e13
@@ -62,6 +73,8 @@ class Canvas(pg.GraphicsView):
         self._hit: Hit = None
         self._space = False
         self._fitted = True
+        self._reach: tuple[int, ...] = ()
+        self._keep_hull = False
 
         self._box = pg.ViewBox(lockAspect=True, enableMouse=False, enableMenu=False, defaultPadding=0)
         self.setCentralItem(self._box)
@@ -152,8 +165,30 @@ class Canvas(pg.GraphicsView):
             self._shown,
             colours_for(self.palette()),
             self.font(),
+            self._bounds,
+            self._document.before,
+            self._reach_points(),
             self._drag.box if isinstance(self._drag, Marquee) else None,
+            self._drag.miss if isinstance(self._drag, PullCurve) else None,
         )
+
+    def _reach_points(self) -> tuple[int, ...]:
+        return (self._hit.point,) if isinstance(self._hit, JointHit) else self._reach
+
+    def show_reach(self, points: Iterable[int]) -> None:
+        """Shade what the λ of these control points can reach; nothing for none."""
+        self._reach = tuple(points)
+        self.viewport().update()
+
+    def keep_hull(self, on: bool) -> None:
+        """Let the hand move λ only where the convex hull bounds the curve."""
+        self._keep_hull = on
+        self.viewport().update()
+
+    @property
+    def _bounds(self) -> tuple[float, float]:
+        item = self._selection.item
+        return CONVEX_HULL_RANGE[item.curve.degree] if self._keep_hull and item is not None else PULL_BOUNDS
 
     # Following the model
 
@@ -205,7 +240,11 @@ class Canvas(pg.GraphicsView):
             place = nearest_place(self._curves.trace(i).strokes(), at)
             if place is not None and (best is None or place[0] < best[0] - 2.0):
                 best, owner = place, i
-        return None if best is None else SegmentHit(owner, best[1], best[2])
+        if best is None:
+            return None
+        hit = SegmentHit(owner, best[1], min(best[2], 1.0))
+        sliding = sliding_place(self._curves.plane_curve(owner), hit, at, plane) if owner == current else None
+        return sliding or hit
 
     def _hover(self) -> None:
         """Find what is under the pointer and tell: halo, cursor, status line."""
@@ -223,6 +262,8 @@ class Canvas(pg.GraphicsView):
             shape = Qt.CursorShape.OpenHandCursor
         elif isinstance(self._hit, PointHit):
             shape = Qt.CursorShape.SizeAllCursor
+        elif isinstance(self._hit, JointHit | MiddleHit):
+            shape = Qt.CursorShape.CrossCursor
         elif isinstance(self._hit, SegmentHit):
             shape = Qt.CursorShape.PointingHandCursor
         self.viewport().setCursor(shape)
@@ -263,7 +304,10 @@ class Canvas(pg.GraphicsView):
         if isinstance(hit, PointHit):
             return MovePoints(self._document, self._selection, self.plane, pointer, hit.index)
         if isinstance(hit, SegmentHit):
-            return PickSegment(self._selection, pointer, hit.curve, hit.segment)
+            bounds = self._bounds if hit.curve == self._selection.curve else PULL_BOUNDS
+            return PullCurve(self._document, self._selection, self.plane, pointer, hit, bounds)
+        if isinstance(hit, JointHit | MiddleHit):
+            return SlideJoint(self._document, self._selection, self.plane, pointer, hit, self._bounds)
         return Marquee(self._selection, self.plane, pointer)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -345,6 +389,6 @@ class Canvas(pg.GraphicsView):
         super().focusOutEvent(event)
 
 
-def _grabbed(hit: Hit) -> PointHit | tuple[int, int] | None:
+def _grabbed(hit: Hit) -> Hit | tuple[int, int]:
     """What a hit would grab, whatever its exact place."""
     return (hit.curve, hit.segment) if isinstance(hit, SegmentHit) else hit

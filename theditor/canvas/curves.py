@@ -25,6 +25,7 @@ class CurvesPainter:
 
     def __init__(self) -> None:
         self._traces: dict[int, tuple[Curve, Curve, Trace]] = {}
+        self._ghosts: dict[int, tuple[Curve, Trace]] = {}
 
     def update(self, drawing: Drawing, viewport: Viewport) -> None:
         """Bring the traces of all visible curves up to date."""
@@ -58,6 +59,23 @@ class CurvesPainter:
                 colour = _legible(item, colours) if own else colours.of_mode(MODES[stroke.code])
                 painter.setPen(curve_pen(colour, item.width))
                 draw_lines(painter, stroke.lines)
+
+    def paint_ghost(
+        self, painter: QPainter, before: Drawing, now: Drawing, viewport: Viewport, colours: Colours
+    ) -> None:
+        """Paint, faint, the curves as they were where they have changed since."""
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        faint = QColor(colours.secondary)
+        faint.setAlpha(110)
+        for index, (old, new) in enumerate(zip(before, now, strict=False)):
+            if old.visible and old.curve is not new.curve:
+                curve, trace = self._ghosts.get(index) or (None, Trace())
+                if curve is not old.curve:
+                    self._ghosts[index] = old.curve, trace
+                trace.update(projected(old.curve), viewport)
+                for stroke in trace.strokes():
+                    painter.setPen(QPen(faint, 1.0))
+                    draw_lines(painter, stroke.lines)
 
     def paint_halo(
         self,

@@ -9,11 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from theditor.canvas.trace import Stroke
+from theditor.canvas.viewport import Viewport
+from theditor.spline import Curve
 
 Floats = NDArray[np.float64]
 
 REACH = 8.0
 """How near, in pixels, the pointer must be to pick something."""
+JOINT_REACH = 6.0
+"""The same for joints, which lie on a curve that can be picked itself."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +36,21 @@ class SegmentHit:
     t: float
 
 
-Hit = PointHit | SegmentHit | None
+@dataclass(frozen=True)
+class JointHit:
+    """The joint of the current cubic that belongs to a control point."""
+
+    point: int
+
+
+@dataclass(frozen=True)
+class MiddleHit:
+    """The middle of a segment of the current quadratic, whose joints λ does not move."""
+
+    segment: int
+
+
+Hit = PointHit | JointHit | MiddleHit | SegmentHit | None
 
 
 def nearest_handle(handles: Floats, at: Floats, reach: float = REACH) -> int | None:
@@ -60,3 +78,24 @@ def nearest_place(
             t0, t1 = stroke.parameters[i]
             best = float(distances[i]), int(stroke.segments[i]), float(t0 + f[i] * (t1 - t0))
     return best
+
+
+def sliding_place(
+    curve: Curve, place: SegmentHit, at: Floats, plane: Viewport
+) -> JointHit | MiddleHit | None:
+    """The joint (of a cubic) or the middle (of a quadratic's segment) at `at` (2,), if λ can slide it.
+
+    `place` is the picked place of the same plane curve.
+    """
+    if curve.degree == 2:
+        movable = any(i is not None for i in curve.lambda_indices(place.segment))
+        near = _near(curve, place.segment + 0.5, at, plane)
+        return MiddleHit(place.segment) if movable and near else None
+    end = int(place.t > 0.5)
+    point = curve.lambda_indices(place.segment)[end]
+    near = point is not None and _near(curve, place.segment + end, at, plane)
+    return JointHit(point) if point is not None and near else None
+
+
+def _near(curve: Curve, u: float, at: Floats, plane: Viewport) -> bool:
+    return bool(np.hypot(*(plane.to_pixels(curve(u)) - at)) <= JOINT_REACH)

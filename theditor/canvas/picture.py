@@ -8,16 +8,19 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen
 
-from theditor.canvas import handles
+from theditor.canvas import handles, overlays
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.grid import paint_grid
-from theditor.canvas.hit_test import Hit, PointHit, SegmentHit
+from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit
 from theditor.canvas.labels import MOST, paint_labels
+from theditor.canvas.shaping import track_of
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.drawing import Drawing
 from theditor.model import Colours
 from theditor.spline import Curve
 
+MOST_HULLS = 50
+"""Of more selected segments only the first show their convex hulls."""
 EMPTY = "This drawing is empty.\nCurve › Add curve puts one here; File › Open gallery shows examples."
 
 
@@ -31,6 +34,9 @@ class Shown:
     modes: bool = True
     grid: bool = True
     legend: bool = True
+    ghost: bool = True
+    uniform: bool = False
+    hull: bool = False
 
 
 @dataclass(frozen=True)
@@ -46,7 +52,14 @@ class Frame:
     shown: Shown
     colours: Colours
     font: QFont
+    bounds: tuple[float, float]
+    before: Drawing | None = None
+    """The drawing before the gesture under way."""
+    reach: tuple[int, ...] = ()
+    """Control points whose λ shows what it can reach."""
     marquee: tuple[Floats, Floats] | None = None
+    miss: tuple[Floats, Floats] | None = None
+    """In pixels, what a pull reached and where the pointer is."""
 
 
 def paint_ground(painter: QPainter, frame: Frame) -> None:
@@ -68,12 +81,24 @@ def paint_picture(painter: QPainter, frame: Frame, curves: CurvesPainter) -> Non
         curves.paint(painter, drawing, -1, colours, by_mode=False)
         return
     curve = curves.plane_curve(current)
+    for point in frame.reach:
+        if point < len(curve.control_points) and curve.active_lambdas[point]:
+            overlays.paint_reach(painter, curve, point, frame.bounds, plane, colours)
+    if frame.shown.ghost and frame.before is not None:
+        curves.paint_ghost(painter, frame.before, drawing, plane, colours)
+    if frame.shown.uniform:
+        overlays.paint_uniform(painter, curve, plane, colours)
     if frame.shown.polygon:
         handles.paint_polygon(painter, curve, plane, colours)
     curves.paint_halo(painter, current, frame.segments, plane, colours)
     curves.paint(painter, drawing, current, colours, by_mode=frame.shown.modes)
     if frame.shown.joints:
         handles.paint_joints(painter, curve, plane, colours)
+    if isinstance(frame.hit, JointHit | MiddleHit):
+        track = track_of(curve, frame.hit)
+        overlays.paint_track(painter, curve, track, plane, colours, frame.font)
+    if frame.miss is not None:
+        overlays.paint_miss(painter, *frame.miss, colours)
     hovered = frame.hit.index if isinstance(frame.hit, PointHit) else None
     handles.paint_handles(painter, curve, plane, frame.points, hovered, colours)
     if frame.shown.labels:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from theditor.canvas.hit_test import Hit, PointHit, SegmentHit
+from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit
+from theditor.canvas.shaping import PullCurve, SlideJoint
 from theditor.canvas.tools import Drag, MovePoints
 from theditor.drawing import Drawing
 from theditor.model.words import indexed
@@ -12,6 +13,11 @@ def describe(hit: Hit, drawing: Drawing, current: int) -> str:
     """What is under the pointer, in the numbers of the paper."""
     if isinstance(hit, PointHit):
         return f"over control point {indexed('P', hit.index)}"
+    if isinstance(hit, JointHit):
+        return f"over the joint at {indexed('P', hit.point)}: it slides with {indexed('λ', hit.point)}"
+    if isinstance(hit, MiddleHit):
+        number = hit.segment + drawing[current].curve.first_segment
+        return f"over the middle of segment {number}: it slides with both its λ"
     if isinstance(hit, SegmentHit):
         item = drawing[hit.curve]
         of = "" if hit.curve == current else f" of {item.name}"
@@ -21,10 +27,18 @@ def describe(hit: Hit, drawing: Drawing, current: int) -> str:
 
 def hint(hit: Hit, drag: Drag | None) -> str:
     """What the mouse would do now, or while `drag` is under way what else it can do."""
+    if isinstance(drag, PullCurve):
+        return drag.note or "Esc: take it back · Ctrl: the nearer λ alone · Shift: move control points"
+    if isinstance(drag, SlideJoint):
+        return "Esc: take it back · Shift: let go of T, H and λ*"
+    if isinstance(drag, MovePoints):
+        return "Esc: take it back · Ctrl: horizontal or vertical"
     if drag is not None:
-        return "Esc: take it back · Ctrl: horizontal or vertical" if isinstance(drag, MovePoints) else ""
+        return ""
     if isinstance(hit, PointHit):
         return "Drag: move · Ctrl: horizontal or vertical · Shift+click: add to the selection"
+    if isinstance(hit, JointHit | MiddleHit):
+        return "Drag: slide along the track · Click: select"
     if isinstance(hit, SegmentHit):
-        return "Click: select the segment · Shift+click: add to the selection"
+        return "Drag: pull the curve by its λ · Click: select the segment"
     return "Drag: select · Wheel: zoom · Middle or Space drag: pan · F: fit"

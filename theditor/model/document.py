@@ -61,6 +61,11 @@ class Document(QObject):
         gesture = self._gesture
         return self.undo_stack.isClean() and (gesture is None or gesture.before == self._drawing)
 
+    @property
+    def before(self) -> Drawing | None:
+        """The value before the open gesture, None while no hand is on the drawing."""
+        return self._gesture.before if self._gesture is not None else None
+
     # Edits
 
     def begin(self, text: str) -> Gesture:

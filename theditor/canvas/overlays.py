@@ -1,0 +1,132 @@
+"""What is laid over the drawing to show what λ does: ghosts, tracks, reach, hulls, misses."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPen, QPolygonF
+
+from theditor.canvas.lines import clipped, draw_lines
+from theditor.canvas.viewport import Viewport
+from theditor.model import Colours
+from theditor.spline import INTERPOLATING, PULL_BOUNDS, Curve, Mode, Track, reach, uniform_b_spline_samples
+
+Floats = NDArray[np.float64]
+
+TICK = 4.0
+MERGE = 6.0
+"""Marks on a track nearer to each other than this many pixels become one."""
+MOST_SEGMENTS = 20_000
+"""Of a longer curve the ordinary B-spline is not drawn."""
+
+
+def paint_uniform(painter: QPainter, curve: Curve, plane: Viewport, colours: Colours) -> None:
+    """Paint the ordinary uniform B-spline of the same degree on the same polygon, thin and dotted."""
+    if curve.segment_count <= MOST_SEGMENTS:
+        pen = _pen(colours.secondary, 1.2)
+        pen.setDashPattern([1.5, 3])
+        _polyline(painter, plane.to_pixels(uniform_b_spline_samples(curve, 16)), plane, pen)
+
+
+def paint_track(
+    painter: QPainter, curve: Curve, track: Track, plane: Viewport, colours: Colours, font: QFont
+) -> None:
+    """Paint the line on which a joint slides, with ticks where T, H and λ* put it, and a handle where it is."""
+    ends = plane.to_pixels(track.position(np.array(PULL_BOUNDS)))
+    _polyline(painter, ends, plane, _pen(colours.accent, 1.2))
+    along = ends[1] - ends[0]
+    length = float(np.hypot(*along))
+    place = plane.to_pixels(track.position(track.current))
+    if length > 1.0:
+        across = np.array([-along[1], along[0]]) / length
+        painter.setFont(_small(font))
+        for at, label in marks(curve.degree, track, plane):
+            _polyline(
+                painter, np.stack([at - TICK * across, at + TICK * across]), plane, _pen(colours.accent, 1.5)
+            )
+            painter.setPen(QColor(colours.accent_text))
+            painter.drawText(QPointF(*(at + 9 * across + (-4, 4))), label)
+    painter.setPen(_pen(colours.canvas, 1.0))
+    painter.setBrush(QColor(colours.accent))
+    diamond = place + np.array([[0, -5], [5, 0], [0, 5], [-5, 0]])
+    painter.drawPolygon(QPolygonF([QPointF(*corner) for corner in diamond]))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def marks(degree: int, track: Track, plane: Viewport) -> list[tuple[Floats, str]]:
+    """Where T, H and λ* put the point on a track, in pixels, with their letters; near ones merged."""
+    values = {"T": 0.0, "H": 1.0, "λ*": INTERPOLATING[degree]}
+    merged: list[tuple[Floats, str]] = []
+    for letter, lam in values.items():
+        at = plane.to_pixels(track.position(lam))
+        if merged and np.hypot(*(at - merged[-1][0])) < MERGE:
+            merged[-1] = merged[-1][0], f"{merged[-1][1]} {letter}"
+        else:
+            merged.append((at, letter))
+    return merged
+
+
+def paint_reach(
+    painter: QPainter,
+    curve: Curve,
+    point: int,
+    bounds: tuple[float, float],
+    plane: Viewport,
+    colours: Colours,
+) -> None:
+    """Shade all that one λ can reach over its bounds, with the T, H and interpolating curves thin in it."""
+    band = reach(curve, point, bounds)
+    path = QPainterPath()
+    path.setFillRule(Qt.FillRule.WindingFill)
+    for quad in plane.to_pixels(band.quads.reshape(-1, 4, 2)).clip(-1e5, 1e5):
+        path.addPolygon(QPolygonF([QPointF(*corner) for corner in (*quad, quad[0])]))
+    fill = QColor(colours.accent)
+    fill.setAlpha(38)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.fillPath(path, fill)
+    thin = {
+        Mode.TRIGONOMETRIC: band.trigonometric,
+        Mode.HYPERBOLIC: band.hyperbolic,
+        Mode.INTERPOLATING: band.interpolating,
+    }
+    for mode, segments in thin.items():
+        for segment in segments:
+            _polyline(painter, plane.to_pixels(segment), plane, _pen(colours.of_mode(mode), 1.0))
+
+
+def paint_hull(painter: QPainter, corners: Floats, plane: Viewport, colours: Colours) -> None:
+    """Paint a convex hull (k, 2)."""
+    pixels = plane.to_pixels(corners).clip(-1e5, 1e5)
+    fill = QColor(colours.hull)
+    fill.setAlpha(140)
+    painter.setBrush(fill)
+    painter.setPen(_pen(colours.interpolating, 1.0))
+    painter.drawPolygon(QPolygonF([QPointF(*corner) for corner in pixels]))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def paint_miss(painter: QPainter, reached: Floats, target: Floats, colours: Colours) -> None:
+    """Paint a thin line from what a pull reached to where the pointer is, both in pixels."""
+    painter.setPen(_pen(colours.hyperbolic, 1.2))
+    painter.drawLine(QPointF(*reached), QPointF(*target))
+    painter.drawEllipse(QPointF(*target), 3.0, 3.0)
+
+
+def _polyline(painter: QPainter, pixels: Floats, plane: Viewport, pen: QPen) -> None:
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(pen)
+    lines, _ = clipped(np.hstack([pixels[:-1], pixels[1:]]), plane.width, plane.height)
+    draw_lines(painter, lines)
+
+
+def _pen(colour: str, width: float) -> QPen:
+    pen = QPen(QColor(colour), width)
+    pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+    return pen
+
+
+def _small(font: QFont) -> QFont:
+    small = QFont(font)
+    small.setPixelSize(10)
+    return small

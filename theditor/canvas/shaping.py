@@ -1,0 +1,186 @@
+"""Shaping the curve by taking hold of the curve itself: λ follow, the control points stay."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from theditor.canvas.hit_test import JointHit, MiddleHit, SegmentHit
+from theditor.canvas.projection import moved, projected
+from theditor.canvas.tools import PickSegment, Pointer
+from theditor.canvas.viewport import Viewport
+from theditor.model import Document, Gesture, Selection
+from theditor.model.words import indexed, listed, number
+from theditor.spline import (
+    INTERPOLATING,
+    MAX_COORDINATE,
+    Curve,
+    Track,
+    joint_track,
+    middle_track,
+    pull,
+    pull_points,
+)
+
+Floats = NDArray[np.float64]
+Bounds = tuple[float, float]
+
+MISS = 1.0
+"""A pull that stays further than this many pixels from the pointer shows by how much."""
+MAGNET = 6.0
+"""A joint this near to where a mode would put it is put there exactly, in pixels."""
+
+
+class PullCurve:
+    """Drag a place on the curve: both λ of its segment are solved so that it follows the pointer.
+
+    Ctrl pulls with the nearer λ alone; Shift moves the control points instead, by the least change. A press
+    without a drag selects the segment.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        selection: Selection,
+        viewport: Viewport,
+        press: Pointer,
+        hit: SegmentHit,
+        bounds: Bounds,
+    ) -> None:
+        self._pick = PickSegment(selection, press, hit.curve, hit.segment)
+        self._document, self._viewport, self._bounds = document, viewport, bounds
+        self._index, self._press = hit.curve, press
+        self._u = hit.segment + min(max(hit.t, 0.0), 1.0)
+        self._gesture: Gesture | None = None
+        self.miss: tuple[Floats, Floats] | None = None
+        self.note = ""
+
+    def move(self, pointer: Pointer) -> None:
+        """Preview the curve through the pointer, or as near to it as λ can bring it."""
+        if self._gesture is None:
+            if self._press.shift:
+                self._pick.cancel()  # a Shift that drags is no Shift+click
+            self._gesture = self._document.begin("Pull the curve")
+        before = self._gesture.before[self._index].curve
+        plane = projected(before)
+        grip = plane(self._u) - self._viewport.to_points(self._press.at)
+        target = (self._viewport.to_points(pointer.at) + grip).clip(-MAX_COORDINATE, MAX_COORDINATE)
+        if pointer.shift:
+            curve, reached = self._move_points(before, plane, target)
+        else:
+            curve, reached = self._pull(before, plane, target, nearer=pointer.ctrl)
+        ends = self._viewport.to_pixels(np.stack([reached, target]))
+        self.miss = (ends[0], ends[1]) if np.hypot(*(ends[1] - ends[0])) > MISS else None
+        self._gesture.preview(self._gesture.before.with_curve(self._index, curve))
+
+    def _pull(self, before: Curve, plane: Curve, target: Floats, *, nearer: bool) -> tuple[Curve, Floats]:
+        pulled = pull(plane, self._u, target, self._bounds, "nearer" if nearer else "both")
+        held = pulled.at_bound
+        names = [f"{indexed('λ', i)} = {number(float(pulled.curve.lambdas[i]))}" for i in held]
+        self.note = f"{listed(names)}: as far as the pull goes" if held else ""
+        curve = pulled.curve if plane is before else before.with_(lambdas=pulled.curve.lambdas)
+        return curve, target - pulled.residual
+
+    def _move_points(self, before: Curve, plane: Curve, target: Floats) -> tuple[Curve, Floats]:
+        self.note = ""
+        try:
+            new = pull_points(plane, self._u, target)
+        except ValueError:  # a point would leave the range of coordinates: stay
+            return before, plane(self._u)
+        if plane is not before:
+            shift = new.control_points - plane.control_points
+            new = before.with_(control_points=moved(before.control_points, shift))
+        return new, target
+
+    def release(self, pointer: Pointer) -> None:
+        """Commit the pull."""
+        if self._gesture is not None:
+            self._gesture.commit()
+
+    def cancel(self) -> None:
+        """Put the curve back; the selection is as before the press."""
+        if self._gesture is not None:
+            self._gesture.cancel()
+        self._pick.cancel()
+
+
+class SlideJoint:
+    """Drag a cubic's joint along its track, or the middle of a quadratic's segment along its own.
+
+    It is drawn to where T, H and λ* would put it, unless Shift is held.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        selection: Selection,
+        viewport: Viewport,
+        press: Pointer,
+        hit: JointHit | MiddleHit,
+        bounds: Bounds,
+    ) -> None:
+        self._document, self._selection, self._viewport = document, selection, viewport
+        self._press, self._bounds = press, bounds
+        self._before = selection.points, selection.segments
+        item = selection.item
+        assert item is not None, "what is hit is on the current curve"
+        plane = projected(item.curve)
+        self._degree = plane.degree
+        self.track = track_of(plane, hit)
+        self._indices = shaped_by(plane, hit)
+        self._grip = self.track.position(self.track.current) - viewport.to_points(press.at)
+        self._gesture: Gesture | None = None
+        if isinstance(hit, JointHit):
+            points = selection.points ^ {hit.point} if press.shift else {hit.point}
+            selection.select(points=points, segments=selection.segments if press.shift else ())
+        else:
+            selection.select(points=(), segments={hit.segment})
+
+    def move(self, pointer: Pointer) -> None:
+        """Preview the λ that brings the joint nearest to the pointer."""
+        if self._gesture is None:
+            self._gesture = self._document.begin(
+                "Slide the joint" if self._degree == 3 else "Slide the curve"
+            )
+        target = (self._viewport.to_points(pointer.at) + self._grip).clip(-MAX_COORDINATE, MAX_COORDINATE)
+        lam = self.track.parameter_nearest(target, self._bounds)
+        if not pointer.shift:
+            lam = self._drawn_to(lam)
+        before, index = self._gesture.before, self._selection.curve
+        curve = before[index].curve.with_lambdas(self._indices, lam)
+        self._gesture.preview(before.with_curve(index, curve))
+
+    def _drawn_to(self, lam: float) -> float:
+        """The λ of a mode where its place is near and far enough from the others' places to tell apart."""
+        marks = np.array([0.0, 1.0, INTERPOLATING[self._degree]])
+        away = np.abs(marks - lam) * np.hypot(*self.track.direction) * self._viewport.scale
+        nearest = int(np.argmin(away))
+        between = np.abs(np.delete(marks, nearest) - marks[nearest]).min()
+        apart = between * float(np.hypot(*self.track.direction)) * self._viewport.scale
+        return float(marks[nearest]) if away[nearest] < min(MAGNET, apart / 3) else lam
+
+    def release(self, pointer: Pointer) -> None:
+        """Commit the slide."""
+        if self._gesture is not None:
+            self._gesture.commit()
+
+    def cancel(self) -> None:
+        """Put λ back; the selection is as before the press."""
+        if self._gesture is not None:
+            self._gesture.cancel()
+        points, segments = self._before
+        self._selection.select(points=points, segments=segments)
+
+
+def track_of(plane: Curve, hit: JointHit | MiddleHit) -> Track:
+    """The line on which λ moves what is hit."""
+    if isinstance(hit, JointHit):
+        return joint_track(plane, hit.point)
+    return middle_track(plane, hit.segment)
+
+
+def shaped_by(plane: Curve, hit: JointHit | MiddleHit) -> list[int]:
+    """The control points whose λ move what is hit."""
+    if isinstance(hit, JointHit):
+        return [hit.point]
+    return [i for i in plane.lambda_indices(hit.segment) if i is not None]
