@@ -18,7 +18,9 @@ from theditor.spline.curve import Curve
 PULL_BOUNDS: Final = (-16.0, 10.0)
 """The range of λ that a hand may pull over: the convex-hull range, both λ*, and a little more."""
 
-_ROUNDING: Final = 2.0**-49  # of a bend vector's coordinate, relative to the largest coordinate
+BEND_ROUNDING: Final = 2.0**-49
+"""Error of a bend vector, relative to the largest coordinate of the control points."""
+
 _PARALLEL: Final = 1e-16  # of the largest coordinate: columns that span no more are parallel but for rounding
 _EQUAL: Final = 1e-13  # misses that differ by less, relative to the largest coordinate, count as equal
 
@@ -163,7 +165,7 @@ def motion(curve: Curve, segment: int, t: float) -> Motion:
     if curve.degree == 2:
         per_unit[0] *= -1
     bends = np.concatenate((parts.bend_start, parts.bend_end), axis=1)
-    bends[:, np.abs(bends).max(axis=0) <= _ROUNDING * _size(curve, segment)] = 0
+    bends[:, np.abs(bends).max(axis=0) <= BEND_ROUNDING * _size(curve, segment)] = 0
     origin = joints.evaluate(still, np.array([t]), curve.degree, 0)[:, 0]
     return Motion(origin, per_unit * bends)
 
