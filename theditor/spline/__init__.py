@@ -1,5 +1,6 @@
 """TH-type uniform B-splines: one curve, trigonometric, hyperbolic or interpolating by segments."""
 
+from theditor.spline import known
 from theditor.spline.basis import (
     CONVEX_HULL_RANGE,
     INTERPOLATING,
@@ -9,10 +10,13 @@ from theditor.spline.basis import (
     lambda_of,
     mode_of,
 )
+from theditor.spline.catalogue import KNOWN, Known, Parameter
 from theditor.spline.checks import MAX_COORDINATE, MAX_LAMBDA, fewest_points
 from theditor.spline.curve import Curve, Ends
+from theditor.spline.kinds import Kind
 from theditor.spline.lambdas import gradient, shifted, smoothed
 from theditor.spline.reach import Reach, Track, joint_track, middle_track, reach
+from theditor.spline.recognise import Missing, Recognised, missing, recognise, recognise_segments
 from theditor.spline.sampling import (
     Samples,
     changed_segments,
@@ -28,14 +32,20 @@ __all__ = [
     "CONVEX_HULL_RANGE",
     "INTERPOLATING",
     "JOINT_SLOPE_ZERO",
+    "KNOWN",
     "MAX_COORDINATE",
     "MAX_LAMBDA",
     "PULL_BOUNDS",
     "Curve",
     "Ends",
+    "Kind",
+    "Known",
+    "Missing",
     "Mode",
+    "Parameter",
     "Pulled",
     "Reach",
+    "Recognised",
     "Samples",
     "Track",
     "basis",
@@ -45,12 +55,16 @@ __all__ = [
     "gradient",
     "intervals_for",
     "joint_track",
+    "known",
     "lambda_of",
     "middle_track",
+    "missing",
     "mode_of",
     "pull",
     "pull_points",
     "reach",
+    "recognise",
+    "recognise_segments",
     "sample_adaptively",
     "segment_bounds",
     "shifted",
