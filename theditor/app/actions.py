@@ -161,6 +161,15 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
         mode("hyperbolic", Mode.HYPERBOLIC, "Make segments &hyperbolic", "H"),
         mode("interpolating", Mode.INTERPOLATING, "Make segments &interpolating", "I"),
         Command(
+            "keep_hull",
+            "Curve",
+            "&Keep the convex hull",
+            "Let pulls and slides of the curve stay where the convex hull bounds it",
+            canvas.keep_hull,
+            checked=False,
+            gap=True,
+        ),
+        Command(
             "reverse",
             "Curve",
             "&Reverse direction",
@@ -194,6 +203,8 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "modes", "&Mode colours", "Colour the current curve by the modes of its segments", brief="Modes"
         ),
         shown("grid", "&Grid", "Show the grid", brief="Grid"),
+        shown("ghost", "G&host", "Show the curve as it was while it is dragged", gap=True),
+        shown("uniform", "Ordinary &B-spline", "Show the uniform B-spline of the same degree and polygon"),
         shown("legend", "L&egend", "Show which colour means which mode"),
         Command("about", "Help", "&About theditor", "Version, licence and the paper behind it", window.about),
     )

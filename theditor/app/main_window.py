@@ -169,6 +169,8 @@ class MainWindow(QMainWindow):
         bar.addPermanentWidget(self._zoom)
         bar.addPermanentWidget(self._hint)
         self.canvas.pointed.connect(self._show_pointed)
+        for panel in (self.shape, self.strip):
+            panel.hovered.connect(self.canvas.show_reach)
         for panel in (self.curves, self.curve, self.shape, self.segments, self.strip):
             panel.announce.connect(lambda text: bar.showMessage(text, 8000))
 

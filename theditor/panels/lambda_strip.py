@@ -31,6 +31,8 @@ class LambdaStrip(QAbstractScrollArea):
 
     announce = Signal(str)
     """A sentence for the status line."""
+    hovered = Signal(object)
+    """The control point, if any, whose λ is under the pointer: a tuple of its index, or none."""
 
     def __init__(self, document: Document, selection: Selection, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -243,6 +245,9 @@ class LambdaStrip(QAbstractScrollArea):
     def _hover(self, column: int) -> None:
         if column != self._hovered:
             self._hovered = column
+            item = self._selection.item
+            moves = item is not None and 0 <= column < self._count() and item.curve.active_lambdas[column]
+            self.hovered.emit((column,) if moves else ())
             self.viewport().update()
 
     # Following

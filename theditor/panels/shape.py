@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
 from theditor.model import Document, Selection, words
@@ -26,6 +26,8 @@ _MODE_TIPS = {
     Mode.INTERPOLATING: "Interpolating: λ = λ*, the curve meets its control points",
 }
 _ALL_TIP = "Act on every λ of the curve: takes the selection of points and segments away."
+MOST_HOVERED = 4
+"""More λ than this have no reach worth shading."""
 
 
 class ShapePanel(QWidget):
@@ -33,6 +35,8 @@ class ShapePanel(QWidget):
 
     announce = Signal(str)
     """A sentence for the status line."""
+    hovered = Signal(object)
+    """The control points whose λ the slider under the pointer moves; none when it is elsewhere, or they are many."""
 
     def __init__(self, document: Document, selection: Selection, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -66,6 +70,7 @@ class ShapePanel(QWidget):
         controls.addWidget(self.all_button)
         layout.addLayout(controls)
 
+        self.slider.installEventFilter(self)
         self.slider.pressed.connect(self._begin)
         self.slider.moved.connect(self._preview)
         self.slider.released.connect(self._commit)
@@ -78,6 +83,13 @@ class ShapePanel(QWidget):
         document.changed.connect(self._follow)
         selection.changed.connect(self._follow)
         self._follow()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Tell when the pointer comes to the slider and leaves it."""
+        if watched is self.slider and event.type() in (QEvent.Type.Enter, QEvent.Type.Leave):
+            here = event.type() == QEvent.Type.Enter and self._targets.size <= MOST_HOVERED
+            self.hovered.emit(tuple(self._targets.tolist()) if here else ())
+        return super().eventFilter(watched, event)
 
     # Edits
 
