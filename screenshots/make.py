@@ -62,7 +62,8 @@ def opened(picture: str, theme: Theme, width: int = 1360, height: int = 860) -> 
 
 def keep(widget: QWidget, name: str) -> None:
     """Save what a widget shows."""
-    QApplication.processEvents()
+    for _ in range(3):  # a layout may need another round
+        QApplication.processEvents()
     widget.grab().save(str(HERE / f"{name}.png"))
     widget.hide()
 

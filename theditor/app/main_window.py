@@ -11,18 +11,18 @@ from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
     QFileDialog,
-    QFrame,
     QLabel,
     QMainWindow,
     QMenu,
     QMessageBox,
-    QScrollArea,
+    QTabWidget,
     QToolBar,
     QVBoxLayout,
     QWidget,
 )
 
 from theditor.app.actions import commands, make_action
+from theditor.app.docks import add_dock, scrolling_column
 from theditor.app.gallery_dialog import GalleryDialog
 from theditor.app.problems import MessageBar, log
 from theditor.app.recent import recent_files, remember_file
@@ -82,38 +82,19 @@ class MainWindow(QMainWindow):
         )
         self.strip = LambdaStrip(*model)
         self.curves.add_requested.connect(self.add_curve)
-        column = QWidget()
-        stack = QVBoxLayout(column)
-        stack.setContentsMargins(0, 0, 0, 0)
-        stack.setSpacing(0)
-        for panel in (self.curves, self.curve, self.shape, self.segments, self.segment):
-            if stack.count():
-                rule = QFrame()
-                rule.setProperty("role", "rule")
-                stack.addWidget(rule)
-            stack.addWidget(panel, stretch=1 if panel is self.segments else 0)
-        scroll = QScrollArea()
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setWidget(column)
-        scroll.setMinimumWidth(
-            column.minimumSizeHint().width() + scroll.verticalScrollBar().sizeHint().width()
+        column = (self.curves, self.curve, self.shape, self.segments, self.segment)
+
+        right, bottom = Qt.DockWidgetArea.RightDockWidgetArea, Qt.DockWidgetArea.BottomDockWidgetArea
+        self.setCorner(Qt.Corner.BottomRightCorner, right)
+        self.setTabPosition(bottom, QTabWidget.TabPosition.North)
+        properties = add_dock(
+            self, "Properties", "properties", scrolling_column(column, self.segments), right
         )
-
-        self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
-        right = self._add_dock("Properties", "properties", scroll, Qt.DockWidgetArea.RightDockWidgetArea)
-        right.setTitleBarWidget(QWidget())
-        bottom = self._add_dock("λ strip", "lambda_strip", self.strip, Qt.DockWidgetArea.BottomDockWidgetArea)
-        self.resizeDocks([right], [COLUMN_WIDTH], Qt.Orientation.Horizontal)
-        self.resizeDocks([bottom], [196], Qt.Orientation.Vertical)
-
-    def _add_dock(self, title: str, name: str, content: QWidget, area: Qt.DockWidgetArea) -> QDockWidget:
-        dock = QDockWidget(title, self)
-        dock.setObjectName(name)
-        dock.setWidget(content)
-        self.addDockWidget(area, dock)
-        return dock
+        properties.setTitleBarWidget(QWidget())
+        tabs = [add_dock(self, "λ strip", "lambda_strip", self.strip, bottom)]
+        tabs[0].raise_()
+        self.resizeDocks([properties], [COLUMN_WIDTH], Qt.Orientation.Horizontal)
+        self.resizeDocks(tabs[:1], [196], Qt.Orientation.Vertical)
 
     def _build_commands(self) -> None:
         self.actions_by_name: dict[str, QAction] = {}
@@ -169,8 +150,8 @@ class MainWindow(QMainWindow):
         bar.addPermanentWidget(self._zoom)
         bar.addPermanentWidget(self._hint)
         self.canvas.pointed.connect(self._show_pointed)
-        for panel in (self.shape, self.strip):
-            panel.hovered.connect(self.canvas.show_reach)
+        self.shape.hovered.connect(self.canvas.show_reach)
+        self.strip.hovered.connect(self.canvas.show_reach)
         for panel in (self.curves, self.curve, self.shape, self.segments, self.strip):
             panel.announce.connect(lambda text: bar.showMessage(text, 8000))
 
