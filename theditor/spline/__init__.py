@@ -1,6 +1,6 @@
 """TH-type uniform B-splines: one curve, trigonometric, hyperbolic or interpolating by segments."""
 
-from theditor.spline import known
+from theditor.spline import formula, known
 from theditor.spline.basis import (
     CONVEX_HULL_RANGE,
     INTERPOLATING,
@@ -13,6 +13,8 @@ from theditor.spline.basis import (
 from theditor.spline.catalogue import KNOWN, Known, Parameter
 from theditor.spline.checks import MAX_COORDINATE, MAX_LAMBDA, fewest_points
 from theditor.spline.curve import Curve, Ends
+from theditor.spline.formula import FormulaError
+from theditor.spline.guards import Guards, ReversedJoint, hull, negative_basis, reversed_joints
 from theditor.spline.kinds import Kind
 from theditor.spline.lambdas import gradient, shifted, smoothed
 from theditor.spline.reach import Reach, Track, joint_track, middle_track, reach
@@ -38,6 +40,8 @@ __all__ = [
     "PULL_BOUNDS",
     "Curve",
     "Ends",
+    "FormulaError",
+    "Guards",
     "Kind",
     "Known",
     "Missing",
@@ -46,13 +50,16 @@ __all__ = [
     "Pulled",
     "Reach",
     "Recognised",
+    "ReversedJoint",
     "Samples",
     "Track",
     "basis",
     "changed_segments",
     "evaluate_segments",
     "fewest_points",
+    "formula",
     "gradient",
+    "hull",
     "intervals_for",
     "joint_track",
     "known",
@@ -60,11 +67,13 @@ __all__ = [
     "middle_track",
     "missing",
     "mode_of",
+    "negative_basis",
     "pull",
     "pull_points",
     "reach",
     "recognise",
     "recognise_segments",
+    "reversed_joints",
     "sample_adaptively",
     "segment_bounds",
     "shifted",
