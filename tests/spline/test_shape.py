@@ -100,6 +100,17 @@ def test_on_a_straight_polygon_both_lambdas_share_the_change(t, along, degree, a
     assert change[0] * (effect[1] @ direction) == pytest.approx(change[1] * (effect[0] @ direction), abs=1e-9)
 
 
+@given(st.floats(0, 6.3), st.floats(-0.3, 0.3))
+def test_a_bound_on_one_lambda_leaves_the_rest_to_the_other(angle, miss):
+    direction = np.array([np.cos(angle), np.sin(angle)])
+    curve = Curve(np.outer([0, 1, 4, 9], direction), [0, 9.5, 0, 0])
+    # Both λ move the middle alike, so it takes 4 units of them in all: many pairs within bounds would do.
+    target = curve.with_lambdas([1, 2], [11.5, 2])(0.5) + miss * direction[::-1] * [-1, 1]
+    pulled = pull(curve, 0.5, target)
+    np.testing.assert_allclose(pulled.curve.lambdas[1:3], [10, 3.5], rtol=0, atol=1e-9)
+    assert pulled.at_bound == (1,)
+
+
 @given(within, st.data(), st.booleans())
 def test_the_nearer_joint_alone_moves_when_asked(curve, data, late):
     segment, u = place(data, curve, *((0.6, 0.9) if late else (0.1, 0.4)))
