@@ -37,9 +37,9 @@ def uniform_b_spline_samples(curve: Curve, per_segment: int = 16) -> Floats:
         weights = np.stack((np.ones_like(t), 0 * t, -((1 - t) ** 2) / 2, t**2 / 2))
     else:
         weights = np.stack((1 - t, t, (1 - t) ** 3 / 6, t**3 / 6))
-    features = np.stack((segments.start, segments.end, segments.bend_start, segments.bend_end), axis=-1)
-    points = features @ weights  # (d, segments, per_segment + 1)
-    samples = np.concatenate((points[:, :, :-1].reshape(len(points), -1), points[:, -1, -1:]), axis=1)
-    if curve.closed:
-        samples[:, -1] = samples[:, 0]
+    features = np.stack((segments.start, segments.end, segments.bend_start, segments.bend_end), axis=1)
+    each = features.transpose(0, 2, 1)  # (d, segments, 4)
+    samples = np.empty((curve.dimension, curve.segment_count * per_segment + 1))
+    np.matmul(each, weights[:, :-1], out=samples[:, :-1].reshape(*each.shape[:2], per_segment))
+    samples[:, -1] = samples[:, 0] if curve.closed else each[:, -1] @ weights[:, -1]
     return samples.T
