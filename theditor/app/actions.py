@@ -203,6 +203,13 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "modes", "&Mode colours", "Colour the current curve by the modes of its segments", brief="Modes"
         ),
         shown("grid", "&Grid", "Show the grid", brief="Grid"),
+        shown(
+            "comb", "Curvature &comb", "Show the curvature as teeth along the curve", gap=True, brief="Comb"
+        ),
+        shown("marks", "&Inflections and extremes", "Mark inflections and extremes of curvature"),
+        shown("circle", "&Osculating circle", "Show the osculating circle at the pointer"),
+        shown("hull", "Convex &hull", "Show the convex hull of the selected segments", brief="Hull"),
+        shown("guards", "&Warnings", "Mark segments that the convex hull does not bound"),
         shown("ghost", "G&host", "Show the curve as it was while it is dragged", gap=True),
         shown("uniform", "Ordinary &B-spline", "Show the uniform B-spline of the same degree and polygon"),
         shown("legend", "L&egend", "Show which colour means which mode"),

@@ -11,13 +11,14 @@ import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QFocusEvent,
+    QHelpEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QToolTip, QWidget
 
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.fit import fitted
@@ -27,11 +28,13 @@ from theditor.canvas.hit_test import (
     MiddleHit,
     PointHit,
     SegmentHit,
+    exists,
     nearest_handle,
     nearest_place,
     sliding_place,
 )
 from theditor.canvas.legend import Legend
+from theditor.canvas.overlays import guards_of
 from theditor.canvas.picture import Frame, Shown, paint_ground, paint_picture
 from theditor.canvas.shaping import PullCurve, SlideJoint
 from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pan, Pointer
@@ -75,6 +78,7 @@ class Canvas(pg.GraphicsView):
         self._fitted = True
         self._reach: tuple[int, ...] = ()
         self._keep_hull = False
+        self._place: float | None = None
 
         self._box = pg.ViewBox(lockAspect=True, enableMouse=False, enableMenu=False, defaultPadding=0)
         self.setCentralItem(self._box)
@@ -132,7 +136,7 @@ class Canvas(pg.GraphicsView):
         away = fixed - now.to_points(at)
         self.show_view(now.x + float(away[0]), now.y + float(away[1]), now.scale)
 
-    def set_shown(self, **what: bool) -> None:
+    def set_shown(self, **what: Any) -> None:
         """Show or hide parts, by the names in `Shown`."""
         self._shown = replace(self._shown, **what)
         self._legend.setVisible(self._shown.legend and self._shown.modes)
@@ -160,20 +164,33 @@ class Canvas(pg.GraphicsView):
             selection.curve,
             selection.points,
             selection.segments,
-            self._hit,
+            self._valid_hit(),
             self.plane,
             self._shown,
             colours_for(self.palette()),
             self.font(),
             self._bounds,
             self._document.before,
+            self._place,
             self._reach_points(),
             self._drag.box if isinstance(self._drag, Marquee) else None,
             self._drag.miss if isinstance(self._drag, PullCurve) else None,
         )
 
+    def _valid_hit(self) -> Hit:
+        """What is hovered, unless the drawing has changed under the pointer so that it is gone."""
+        hit, drawing = self._hit, self._document.drawing
+        index = hit.curve if isinstance(hit, SegmentHit) else self._selection.curve
+        return hit if 0 <= index < len(drawing) and exists(hit, drawing[index].curve) else None
+
+    def show_place(self, u: float | None) -> None:
+        """Point out the place at parameter `u` of the current curve; None for none."""
+        self._place = u
+        self.viewport().update()
+
     def _reach_points(self) -> tuple[int, ...]:
-        return (self._hit.point,) if isinstance(self._hit, JointHit) else self._reach
+        hit = self._valid_hit()
+        return (hit.point,) if isinstance(hit, JointHit) else self._reach
 
     def show_reach(self, points: Iterable[int]) -> None:
         """Shade what the λ of these control points can reach; nothing for none."""
@@ -347,6 +364,18 @@ class Canvas(pg.GraphicsView):
         self._hover()
         self.viewport().update()
         return True
+
+    def viewportEvent(self, event: QEvent) -> bool:
+        """Say in a tooltip which promise a marked segment no longer keeps."""
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            hit = self._valid_hit()
+            item = self._selection.item
+            reason = ""
+            if isinstance(hit, SegmentHit) and hit.curve == self._selection.curve and item is not None:
+                reason = guards_of(item.curve).reason(hit.segment)
+            QToolTip.showText(event.globalPos(), reason, self)
+            return True
+        return bool(super().viewportEvent(event))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom at the pointer."""

@@ -99,3 +99,20 @@ def sliding_place(
 
 def _near(curve: Curve, u: float, at: Floats, plane: Viewport) -> bool:
     return bool(np.hypot(*(plane.to_pixels(curve(u)) - at)) <= JOINT_REACH)
+
+
+def exists(hit: Hit, curve: Curve) -> bool:
+    """Whether what was hit is still there on a curve that may have changed."""
+    match hit:
+        case PointHit(index):
+            return index < len(curve.control_points)
+        case JointHit(point):
+            return (
+                curve.degree == 3 and point < len(curve.control_points) and bool(curve.active_lambdas[point])
+            )
+        case MiddleHit(segment):
+            return curve.degree == 2 and segment < curve.segment_count
+        case SegmentHit(_, segment, _):
+            return segment < curve.segment_count
+        case _:
+            return False

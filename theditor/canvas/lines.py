@@ -30,7 +30,7 @@ def clipped(
     if len(long):
         # Liang–Barsky on the long ones only.
         start, along = lines[long, :2], lines[long, 2:] - lines[long, :2]
-        with np.errstate(divide="ignore", invalid="ignore"):
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             enter, leave = (-margin - start) / along, (far - start) / along
         enter, leave = np.fmin(enter, leave), np.fmax(enter, leave)
         t0 = np.fmax(np.fmax(enter[:, 0], enter[:, 1]), 0.0)[:, None]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
@@ -10,13 +12,25 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPen, QPolygonF
 from theditor.canvas.lines import clipped, draw_lines
 from theditor.canvas.viewport import Viewport
 from theditor.model import Colours
-from theditor.spline import INTERPOLATING, PULL_BOUNDS, Curve, Mode, Track, reach, uniform_b_spline_samples
+from theditor.spline import (
+    INTERPOLATING,
+    PULL_BOUNDS,
+    Curve,
+    Guards,
+    Mode,
+    Track,
+    negative_basis,
+    reach,
+    uniform_b_spline_samples,
+)
 
 Floats = NDArray[np.float64]
 
 TICK = 4.0
 MERGE = 6.0
 """Marks on a track nearer to each other than this many pixels become one."""
+MOST_SIGNS = 300
+"""More signs than this in view would hide the drawing."""
 MOST_SEGMENTS = 20_000
 """Of a longer curve the ordinary B-spline is not drawn."""
 
@@ -103,6 +117,43 @@ def paint_hull(painter: QPainter, corners: Floats, plane: Viewport, colours: Col
     painter.setBrush(fill)
     painter.setPen(_pen(colours.interpolating, 1.0))
     painter.drawPolygon(QPolygonF([QPointF(*corner) for corner in pixels]))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def paint_guards(painter: QPainter, curve: Curve, plane: Viewport, colours: Colours) -> None:
+    """Paint a warning sign at the middle of each segment in view that has a negative basis function."""
+    segments = np.unique(guards_of(curve).segments)
+    if not len(segments):
+        return
+    places = plane.to_pixels(curve(segments + 0.5))
+    near = (places > -10) & (places < (plane.width + 10, plane.height + 10))
+    places = places[near.all(axis=1)]
+    if len(places) > MOST_SIGNS:
+        return
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    for place in places:
+        painter.setPen(_pen(colours.canvas, 1.0))
+        painter.setBrush(QColor(colours.warning))
+        corners = place + np.array([[0.0, -6.0], [6.0, 4.5], [-6.0, 4.5]])
+        painter.drawPolygon(QPolygonF([QPointF(*corner) for corner in corners]))
+        painter.setPen(_pen(colours.canvas, 1.6))
+        painter.drawLine(QPointF(place[0], place[1] - 2.0), QPointF(place[0], place[1] + 1.0))
+        painter.drawPoint(QPointF(place[0], place[1] + 2.9))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+@lru_cache(maxsize=4)
+def guards_of(curve: Curve) -> Guards:
+    """The negative basis functions of a curve, computed once."""
+    return negative_basis(curve)
+
+
+def paint_place(painter: QPainter, place: Floats, colours: Colours) -> None:
+    """Point out a place on the curve, in pixels."""
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(_pen(colours.canvas, 1.5))
+    painter.setBrush(QColor(colours.comb))
+    painter.drawEllipse(QPointF(*place), 5.0, 5.0)
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 

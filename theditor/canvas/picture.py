@@ -8,16 +8,17 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen
 
-from theditor.canvas import handles, overlays
+from theditor.canvas import comb, handles, overlays
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.grid import paint_grid
 from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit
 from theditor.canvas.labels import MOST, paint_labels
+from theditor.canvas.projection import projected
 from theditor.canvas.shaping import track_of
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.drawing import Drawing
 from theditor.model import Colours
-from theditor.spline import Curve
+from theditor.spline import Curve, Track, hull, joint_track
 
 MOST_HULLS = 50
 """Of more selected segments only the first show their convex hulls."""
@@ -37,6 +38,12 @@ class Shown:
     ghost: bool = True
     uniform: bool = False
     hull: bool = False
+    guards: bool = True
+    comb: bool = False
+    comb_length: float = 1.0
+    comb_density: int = 16
+    marks: bool = False
+    circle: bool = False
 
 
 @dataclass(frozen=True)
@@ -55,6 +62,8 @@ class Frame:
     bounds: tuple[float, float]
     before: Drawing | None = None
     """The drawing before the gesture under way."""
+    place: float | None = None
+    """A parameter of the current curve to point out."""
     reach: tuple[int, ...] = ()
     """Control points whose λ shows what it can reach."""
     marquee: tuple[Floats, Floats] | None = None
@@ -84,19 +93,28 @@ def paint_picture(painter: QPainter, frame: Frame, curves: CurvesPainter) -> Non
     for point in frame.reach:
         if point < len(curve.control_points) and curve.active_lambdas[point]:
             overlays.paint_reach(painter, curve, point, frame.bounds, plane, colours)
+    if frame.shown.hull:
+        for segment in sorted(frame.segments)[:MOST_HULLS]:
+            overlays.paint_hull(painter, hull(curve, segment), plane, colours)
     if frame.shown.ghost and frame.before is not None:
         curves.paint_ghost(painter, frame.before, drawing, plane, colours)
     if frame.shown.uniform:
         overlays.paint_uniform(painter, curve, plane, colours)
     if frame.shown.polygon:
         handles.paint_polygon(painter, curve, plane, colours)
+    _paint_curvature(painter, frame, curve)
     curves.paint_halo(painter, current, frame.segments, plane, colours)
     curves.paint(painter, drawing, current, colours, by_mode=frame.shown.modes)
     if frame.shown.joints:
         handles.paint_joints(painter, curve, plane, colours)
-    if isinstance(frame.hit, JointHit | MiddleHit):
-        track = track_of(curve, frame.hit)
+    if frame.shown.guards:
+        overlays.paint_guards(painter, curve, plane, colours)
+    if frame.shown.marks:
+        comb.paint_marks(painter, curve, plane, colours)
+    for track in _tracks(frame, curve):
         overlays.paint_track(painter, curve, track, plane, colours, frame.font)
+    if frame.place is not None and frame.place <= curve.segment_count:
+        overlays.paint_place(painter, plane.to_pixels(curve(frame.place)), colours)
     if frame.miss is not None:
         overlays.paint_miss(painter, *frame.miss, colours)
     hovered = frame.hit.index if isinstance(frame.hit, PointHit) else None
@@ -105,6 +123,30 @@ def paint_picture(painter: QPainter, frame: Frame, curves: CurvesPainter) -> Non
         _paint_labels(painter, frame, curve, curves)
     if frame.marquee is not None:
         _paint_marquee(painter, *frame.marquee, colours)
+
+
+def _paint_curvature(painter: QPainter, frame: Frame, curve: Curve) -> None:
+    shown, plane, colours = frame.shown, frame.plane, frame.colours
+    if shown.comb:
+        steady = frame.before or frame.drawing
+        reference = projected(steady[frame.current].curve) if frame.current < len(steady) else curve
+        comb.paint_comb(painter, curve, reference, shown.comb_length, shown.comb_density, plane, colours)
+    if shown.circle:
+        hit = frame.hit
+        here = hit.segment + hit.t if isinstance(hit, SegmentHit) and hit.curve == frame.current else None
+        u = frame.place if here is None else here
+        if u is not None:
+            comb.paint_circle(painter, curve, u, plane, colours)
+
+
+def _tracks(frame: Frame, curve: Curve) -> list[Track]:
+    """The tracks to show: that of the joint under the pointer, else that of the one selected point."""
+    if isinstance(frame.hit, JointHit | MiddleHit):
+        return [track_of(curve, frame.hit)]
+    if frame.hit is None and len(frame.points) == 1 and curve.degree == 3 and frame.shown.joints:
+        (point,) = frame.points
+        return [joint_track(curve, point)] if curve.active_lambdas[point] else []
+    return []
 
 
 def _paint_labels(painter: QPainter, frame: Frame, curve: Curve, curves: CurvesPainter) -> None:

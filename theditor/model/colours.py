@@ -38,6 +38,8 @@ class Colours:
     polygon: str
     hull: str
     comb: str
+    comb_negative: str
+    warning: str
 
     def of_mode(self, mode: Mode) -> str:
         """Colour of segments in `mode`."""
@@ -63,6 +65,8 @@ LIGHT = Colours(
     polygon="#A9B3C0",
     hull="#DDF3E4",
     comb="#7A5AC8",
+    comb_negative="#B0437F",
+    warning="#9A6700",
 )
 
 DARK = Colours(
@@ -84,6 +88,8 @@ DARK = Colours(
     polygon="#566170",
     hull="#1E3A2C",
     comb="#A98BEB",
+    comb_negative="#E38AB8",
+    warning="#E3B341",
 )
 
 

@@ -1,0 +1,131 @@
+"""Curvature on the canvas: the comb, marks at inflections and extremes, and the osculating circle."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+
+from theditor.canvas.lines import clipped, draw_lines
+from theditor.canvas.viewport import Viewport
+from theditor.model import Colours
+from theditor.spline import Curve, segment_bounds
+from theditor.spline.curvature import curvature, osculating_circle
+from theditor.spline.vertices import curvature_extremes, inflections
+
+Floats = NDArray[np.float64]
+
+MOST_TEETH = 20_000
+LONGEST = 2000.0
+"""A tooth ends at this many pixels: at a cusp the curvature is infinite."""
+MOST_MARKED = 5000
+"""Longer curves, in segments, get no marks."""
+FINER = 4
+"""The crest of the comb is drawn with this many times as many points as there are teeth."""
+TYPICAL = 0.03
+"""Length of a typical tooth at slider value 1, as a share of the curve's size."""
+
+
+def paint_comb(
+    painter: QPainter,
+    curve: Curve,
+    reference: Curve,
+    length: float,
+    density: int,
+    plane: Viewport,
+    colours: Colours,
+) -> None:
+    """Paint the curvature comb, segment by segment, so that jumps at joints show.
+
+    The teeth stand on the outer side of the bend, as long as the curvature; `reference` sets the scale (the
+    curve before a drag, so that the comb does not breathe while the curve moves).
+    """
+    low, high = plane.window()
+    box_low, box_high = segment_bounds(curve)
+    visible = np.flatnonzero(((box_low <= high) & (box_high >= low)).all(axis=1))
+    density = FINER * max(1, min(density, MOST_TEETH // max(1, len(visible))))
+    if not len(visible) or len(visible) > MOST_TEETH:
+        return
+    steps = np.arange(density + 1) / density
+    inner, last = visible[:, None] + steps[:-1], visible[:, None] + 1.0
+    feet = np.concatenate([curve(inner), curve(last)], axis=1)
+    bend = np.concatenate([curvature(curve, inner), curvature(curve, last, side="left")], axis=1)
+    velocity = np.concatenate([curve(inner, 1), curve(last, 1, side="left")], axis=1)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        along = velocity / np.linalg.norm(velocity, axis=-1, keepdims=True)
+    outward = np.stack([along[..., 1], -along[..., 0]], axis=-1)
+    reach = bend * (length * _unit(reference))
+    longest = LONGEST / plane.scale
+    tips = feet + outward * np.clip(reach, -longest, longest)[..., None]
+    from_px, to_px = plane.to_pixels(feet), plane.to_pixels(tips)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    for sign, colour in ((1, colours.comb), (-1, colours.comb_negative)):
+        turns = (sign * bend > 0) & np.isfinite(tips).all(axis=-1)
+        chosen = turns[:, ::FINER]
+        teeth = np.hstack([from_px[:, ::FINER][chosen], to_px[:, ::FINER][chosen]])
+        beside = turns[:, :-1] & turns[:, 1:]
+        crest = np.hstack([to_px[:, :-1][beside], to_px[:, 1:][beside]])
+        for lines, opacity, width in ((teeth, 100, 1.0), (crest, 200, 1.1)):
+            faint = QColor(colour)
+            faint.setAlpha(opacity)
+            painter.setPen(QPen(faint, width))
+            draw_lines(painter, clipped(lines, plane.width, plane.height)[0])
+
+
+@lru_cache(maxsize=4)
+def _unit(curve: Curve) -> float:
+    """Units of length for a unit of curvature at slider value 1: a typical bend gets a tooth of a typical length."""
+    size = float(np.linalg.norm(np.ptp(curve.control_points, axis=0)))
+    u = np.linspace(0, curve.segment_count, min(4 * curve.segment_count, 4000) + 1)
+    bends = np.abs(curvature(curve, u))
+    bends = bends[np.isfinite(bends) & (bends > 0)]
+    return TYPICAL * size / float(np.median(bends)) if len(bends) else 0.0
+
+
+def paint_marks(painter: QPainter, curve: Curve, plane: Viewport, colours: Colours) -> None:
+    """Mark inflections by small rings and extremes of |κ| by triangles that point outward (least: hollow)."""
+    if curve.segment_count > MOST_MARKED:
+        return
+    turns, peaks, maxima = _special(curve)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(QPen(QColor(colours.comb), 1.5))
+    painter.setBrush(QColor(colours.canvas))
+    for place in plane.to_pixels(curve(turns)):
+        if _inside(place, plane):
+            painter.drawEllipse(QPointF(*place), 3.2, 3.2)
+    for place, maximum in zip(plane.to_pixels(curve(peaks)), maxima.tolist(), strict=True):
+        if _inside(place, plane):
+            painter.setBrush(QColor(colours.comb if maximum else colours.canvas))
+            triangle = place + np.array([[0.0, -4.5], [4.0, 3.0], [-4.0, 3.0]])
+            painter.drawPolygon(QPolygonF([QPointF(*corner) for corner in triangle]))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+@lru_cache(maxsize=2)
+def _special(curve: Curve) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+    extremes = curvature_extremes(curve)
+    return inflections(curve).u, extremes.u, extremes.maximum
+
+
+def paint_circle(painter: QPainter, curve: Curve, u: float, plane: Viewport, colours: Colours) -> None:
+    """Paint the osculating circle at `u` with its centre, unless the curve is straight or stands still there."""
+    centre, radius = osculating_circle(curve, u)
+    size = float(radius) * plane.scale
+    if not np.isfinite(size) or size > 1e5:
+        return
+    middle = plane.to_pixels(centre)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    pen = QPen(QColor(colours.comb), 1.2)
+    painter.setPen(pen)
+    painter.drawEllipse(QPointF(*middle), size, size)
+    painter.drawLine(QPointF(*middle), QPointF(*plane.to_pixels(curve(u))))
+    painter.setBrush(QColor(colours.comb))
+    painter.drawEllipse(QPointF(*middle), 2.0, 2.0)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def _inside(place: Floats, plane: Viewport) -> bool:
+    return bool((place > -5).all() and place[0] < plane.width + 5 and place[1] < plane.height + 5)
