@@ -90,6 +90,8 @@ def test_every_segment_of_a_known_curve_is_recognised_with_what_it_takes_to_make
         curve = curve.reversed()
     for s, found in enumerate(recognise_segments(curve)):
         assert found.kind is kind
+        if curve.lambdas[0] == 0:
+            assert -1e-6 <= min(found.parameters["start"], found.parameters["end"]) < math.tau
         limit = 1e-7 * np.abs(curve.control_points).max()
         np.testing.assert_allclose(rebuilt(found)(T), curve(s + T), rtol=0, atol=limit)
         assert found == recognise(curve, s)
@@ -197,6 +199,33 @@ def test_near_misses_are_refused(curve):
         assert repair.changes == tuple((i, curve.lambdas[0]) for i in changed)
         assert repair.recognised.kind is kind
         assert recognise(near.with_lambdas(*zip(*repair.changes, strict=True)), 0) == repair.recognised
+
+
+SLIGHT = 1e-6
+STRETCH, SHEAR = np.diag([1, 1 + SLIGHT]), np.array([(1, SLIGHT), (0, 1)])
+
+
+@pytest.mark.parametrize(
+    ("curve", "map_", "kind"),
+    [
+        (known.ellipse(semi_axes=(2, 2)), STRETCH, Kind.ELLIPSE),
+        (known.sine(start=0.4), STRETCH, Kind.SINE),
+        (known.sine(start=0.4), SHEAR, Kind.AFFINE_SINE),
+        (known.catenary(), STRETCH, Kind.AFFINE_CATENARY),
+        (known.catenary(), SHEAR, Kind.AFFINE_CATENARY),
+        (known.exponential(start=0), STRETCH, Kind.EXPONENTIAL),
+        (known.exponential(start=0), SHEAR, Kind.AFFINE_EXPONENTIAL),
+        (known.cycloid(), STRETCH, Kind.AFFINE_CYCLOID),
+        (known.trochoid(arm=1 + SLIGHT), np.eye(2), Kind.PROLATE),
+        (known.trochoid(arm=1 - SLIGHT), np.eye(2), Kind.CURTATE),
+        (known.trochoid(arm=1 - SLIGHT), np.array([(1, 0.5), (0, 1)]), Kind.TRIGONOMETRIC),
+        (known.helix(), np.diag([1, 1 + SLIGHT, 1]), Kind.AFFINE_HELIX),
+        (known.helix(), np.array([(1, 0, SLIGHT), (0, 1, 0), (0, 0, 1)]), Kind.AFFINE_HELIX),
+    ],
+)
+def test_the_slightest_stretch_or_shear_counts(curve, map_, kind):
+    image = curve.with_(control_points=curve.control_points @ map_.T)
+    assert {found.kind for found in recognise_segments(image)} == {kind}
 
 
 def test_what_is_missing_is_said_in_a_sentence():

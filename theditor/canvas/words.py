@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit
+from theditor.canvas.projection import projected
 from theditor.canvas.shaping import PullCurve, SlideJoint
 from theditor.canvas.tools import Drag, MovePoints
 from theditor.drawing import Drawing
 from theditor.model.words import indexed
+from theditor.spline.curvature import curvature
 
 
 def describe(hit: Hit, drawing: Drawing, current: int) -> str:
@@ -21,7 +25,9 @@ def describe(hit: Hit, drawing: Drawing, current: int) -> str:
     if isinstance(hit, SegmentHit):
         item = drawing[hit.curve]
         of = "" if hit.curve == current else f" of {item.name}"
-        return f"over segment {hit.segment + item.curve.first_segment}{of} at t = {hit.t:.2f}"
+        bend = abs(float(curvature(projected(item.curve), hit.segment + hit.t)))
+        radius = f" · radius {1 / bend:.4g}" if 1e-12 < bend < np.inf else ""
+        return f"over segment {hit.segment + item.curve.first_segment}{of} at t = {hit.t:.2f}{radius}"
     return ""
 
 
