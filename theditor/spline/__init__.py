@@ -12,11 +12,13 @@ from theditor.spline.basis import (
 )
 from theditor.spline.catalogue import KNOWN, Known, Parameter
 from theditor.spline.checks import MAX_COORDINATE, MAX_LAMBDA, fewest_points
+from theditor.spline.curvature import bending_energy, curvature, osculating_circle
 from theditor.spline.curve import Curve, Ends
 from theditor.spline.formula import FormulaError
 from theditor.spline.guards import Guards, ReversedJoint, hull, negative_basis, reversed_joints
 from theditor.spline.kinds import Kind
 from theditor.spline.lambdas import gradient, shifted, smoothed
+from theditor.spline.length import arc_length, arc_lengths, parameter_at
 from theditor.spline.reach import Reach, Track, joint_track, middle_track, reach
 from theditor.spline.recognise import Missing, Recognised, missing, recognise, recognise_segments
 from theditor.spline.sampling import (
@@ -29,6 +31,7 @@ from theditor.spline.sampling import (
 )
 from theditor.spline.shape import PULL_BOUNDS, Pulled, pull, pull_points
 from theditor.spline.uniform import uniform_b_spline_samples
+from theditor.spline.vertices import CurvatureExtremes, Inflections, curvature_extremes, inflections
 
 __all__ = [
     "CONVEX_HULL_RANGE",
@@ -38,10 +41,12 @@ __all__ = [
     "MAX_COORDINATE",
     "MAX_LAMBDA",
     "PULL_BOUNDS",
+    "CurvatureExtremes",
     "Curve",
     "Ends",
     "FormulaError",
     "Guards",
+    "Inflections",
     "Kind",
     "Known",
     "Missing",
@@ -53,13 +58,19 @@ __all__ = [
     "ReversedJoint",
     "Samples",
     "Track",
+    "arc_length",
+    "arc_lengths",
     "basis",
+    "bending_energy",
     "changed_segments",
+    "curvature",
+    "curvature_extremes",
     "evaluate_segments",
     "fewest_points",
     "formula",
     "gradient",
     "hull",
+    "inflections",
     "intervals_for",
     "joint_track",
     "known",
@@ -68,6 +79,8 @@ __all__ = [
     "missing",
     "mode_of",
     "negative_basis",
+    "osculating_circle",
+    "parameter_at",
     "pull",
     "pull_points",
     "reach",
