@@ -9,7 +9,7 @@ from theditor.drawing import Drawing, Item
 from theditor.model import Document, Selection
 from theditor.panels import ShapePanel
 from theditor.panels import lambda_scale as scale
-from theditor.spline import INTERPOLATING, Mode
+from theditor.spline import INTERPOLATING, MAX_LAMBDA, Mode
 
 KEY = Qt.Key
 LEFT = Qt.MouseButton.LeftButton
@@ -191,6 +191,58 @@ def test_all_acts_on_every_active_parameter_and_says_so(panel, document, selecti
     assert document.undo_stack.count() == 1
 
 
+def test_linked_parameters_keep_their_differences_in_one_step_and_escape_takes_it_back(
+    panel, document, selection, qtbot
+):
+    selection.select(points=[5, 9, 12])
+    before = lambdas(document)
+    qtbot.mouseClick(panel.link_button, LEFT)
+    assert panel.field.value() == 0.75
+    assert "mean" in panel.slider.toolTip()
+    hand = Hand(panel.slider)
+    hand.press(*at(panel.slider, 0.75))
+    for target in (0.4, 2.0):
+        hand.move(*at(panel.slider, target), SHIFT)
+        assert lambdas(document)[[5, 9]].mean() == pytest.approx(target, abs=0.05)
+        assert lambdas(document)[5] - lambdas(document)[9] == pytest.approx(0.5, abs=1e-12)
+        assert panel.field.value() == lambdas(document)[[5, 9]].mean()
+    panel.slider.setFocus()
+    qtbot.keyClick(panel.slider, KEY.Key_Escape)
+    hand.release()
+    assert lambdas(document).tolist() == before.tolist()
+    assert not document.undo_stack.canUndo()
+
+    hand.press(*at(panel.slider, 0.75))
+    hand.move(*at(panel.slider, 1.0))
+    hand.release()
+    assert lambdas(document)[[5, 9, 12]].tolist() == [1.25, 0.75, 0.0]
+    assert document.undo_stack.count() == 1
+    qtbot.keyClick(panel.slider, KEY.Key_Left)
+    assert lambdas(document)[5] - lambdas(document)[9] == pytest.approx(0.5, abs=1e-12)
+    assert lambdas(document)[[5, 9]].mean() == pytest.approx(0.98)
+    document.undo_stack.setIndex(0)
+    assert lambdas(document).tolist() == before.tolist()
+
+
+def test_linked_parameters_take_a_typed_mean_and_stop_together_at_the_limit(
+    panel, document, selection, qtbot
+):
+    qtbot.mouseClick(panel.link_button, LEFT)
+    before = lambdas(document)[1:-1]
+    for typed, expected in (("2.5", 2.5 - before.mean()), ("1e6", MAX_LAMBDA - before.max())):
+        panel.field.setFocus()
+        panel.field.selectAll()
+        qtbot.keyClicks(panel.field, typed)
+        qtbot.keyClick(panel.field, KEY.Key_Return)
+        assert lambdas(document)[1:-1] == pytest.approx(before + expected, abs=1e-9)
+    assert lambdas(document)[[0, 12]].tolist() == [0, 0]
+    assert panel.field.value() == lambdas(document)[1:-1].mean()
+    qtbot.mouseClick(panel.link_button, LEFT)
+    assert panel.field.text() == ""
+    qtbot.mouseClick(panel.mode_buttons[Mode.HYPERBOLIC], LEFT)
+    assert (lambdas(document)[1:-1] == 1).all()
+
+
 def test_looking_at_a_value_in_full_does_not_change_it(panel, document, selection, qtbot):
     selection.select(points=[3])
     panel.field.setFocus()
@@ -246,7 +298,7 @@ def test_a_locked_curve_an_empty_drawing_and_an_undone_lock(show):
 
 def test_moving_points_leaves_the_controls_alone_and_every_parameter_shown_is_the_curves(panel, document):
     shown = []
-    panel.slider.show_values = lambda values, degree: shown.append(np.array(values))
+    panel.slider.show_values = lambda values, *_: shown.append(np.array(values))
     curve = document.drawing[0].curve
     document.apply_curve("Move", 0, curve.with_points([2], [[5.0, 5.0]]))
     assert shown == []

@@ -62,6 +62,7 @@ class LambdaSlider(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._values: NDArray[np.float64] = np.empty(0)
+        self._mean: float | None = None
         self._degree = 3
         self._drag: scale.ScaleDrag | None = None
         self._pointer = 0.0
@@ -71,18 +72,23 @@ class LambdaSlider(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAccessibleName("Shape parameter λ")
 
-    def show_values(self, values: ArrayLike, degree: int) -> None:
-        """Show the different ones among `values` on the scale of a degree."""
+    def show_values(self, values: ArrayLike, degree: int, mean: float | None = None) -> None:
+        """Show the different ones among `values` on the scale of a degree.
+
+        The handle of values that differ stands at their `mean` if it is given, else in the middle of their range.
+        """
         self._values = np.unique(np.asarray(values, dtype=np.float64))
-        self._degree = degree
-        self.setAccessibleDescription(
-            "none"
-            if not self._values.size
-            else f"λ = {exact(self._values[0])}"
-            if self._values.size == 1
-            else f"{self._values.size} different values"
-        )
+        self._degree, self._mean = degree, mean
+        self.setAccessibleDescription(self._description())
         self.update()
+
+    def _description(self) -> str:
+        if not self._values.size:
+            return "none"
+        if self._values.size == 1:
+            return f"λ = {exact(self._values[0])}"
+        mean = "" if self._mean is None else f", mean {exact(self._mean)}"
+        return f"{self._values.size} different values{mean}"
 
     def sizeHint(self) -> QSize:
         """Wide enough for every label."""
@@ -189,11 +195,13 @@ class LambdaSlider(QWidget):
         return _INSET + place * self._length()
 
     def _place(self) -> float:
-        """Place of the handle; of values that differ, the middle of their range."""
-        ends = scale.position(self._values[[0, -1]])
-        return float(ends.mean())
+        """Place of the handle; of values that differ, their mean or the middle of their range."""
+        shown = self._values[[0, -1]] if self._mean is None else self._mean
+        return float(scale.position(shown).mean())
 
     def _middle(self) -> float:
+        if self._mean is not None:
+            return self._mean
         return float(self._values[0] if self._values.size == 1 else scale.value_at(self._place()))
 
     # How it looks

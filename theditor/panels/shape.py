@@ -7,7 +7,15 @@ from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
 from theditor.model import Document, Selection, words
-from theditor.panels.lambda_edit import LambdaGesture, editable, set_lambdas, step_lambdas
+from theditor.panels.lambda_edit import (
+    LambdaGesture,
+    asked,
+    editable,
+    mean,
+    obstacle,
+    set_lambdas,
+    step_lambdas,
+)
 from theditor.panels.lambda_slider import LambdaSlider
 from theditor.panels.number_field import NumberField
 from theditor.panels.parts import column, describe, heading, row, segmented
@@ -25,13 +33,18 @@ _MODE_TIPS = {
     Mode.HYPERBOLIC: "Hyperbolic: λ = 1",
     Mode.INTERPOLATING: "Interpolating: λ = λ*, the curve meets its control points",
 }
+_LINKED_TIP = "Shows the mean of the linked λ; moving it moves all of them by as much."
+_LINK_TIP = "Link λ: slider and field show their mean and move all by as much, so that differences stay."
 _ALL_TIP = "Act on every λ of the curve: takes the selection of points and segments away."
 MOST_HOVERED = 4
 """More λ than this have no reach worth shading."""
 
 
 class ShapePanel(QWidget):
-    """Edits the λ of the selected points, else of the selected segments, else every λ of the curve."""
+    """Edits the λ of the selected points, else of the selected segments, else every λ of the curve.
+
+    All get the same value; while they are linked, slider and field show their mean and shift them together.
+    """
 
     announce = Signal(str)
     """A sentence for the status line."""
@@ -54,6 +67,11 @@ class ShapePanel(QWidget):
             button.setText(words.MODE_LETTERS[mode])
             button.setCheckable(True)
             button.clicked.connect(lambda _=False, mode=mode: self._set_mode(mode))
+        self.link_button = QToolButton()
+        self.link_button.setText("Link")
+        self.link_button.setCheckable(True)
+        self.link_button.toggled.connect(self._link)
+        describe(self.link_button, "Link λ: keep their differences", _LINK_TIP)
         self.all_button = QToolButton()
         self.all_button.setText("All")
         self.all_button.setCheckable(True)
@@ -67,6 +85,7 @@ class ShapePanel(QWidget):
         controls = row(label, self.field)
         controls.setStretch(1, 1)
         controls.addLayout(segmented(list(self.mode_buttons.values())))
+        controls.addWidget(self.link_button)
         controls.addWidget(self.all_button)
         layout.addLayout(controls)
 
@@ -97,8 +116,9 @@ class ShapePanel(QWidget):
         self._gesture = LambdaGesture(self._document, self._selection)
 
     def _preview(self, value: float) -> None:
-        if self._gesture is not None:
-            self._gesture.preview(self._targets, value)
+        if self._gesture is not None and self._gesture.is_open:
+            values = self._gesture.before.lambdas[self._targets]
+            self._gesture.preview(self._targets, asked(values, value, self._linked))
 
     def _commit(self) -> None:
         if self._gesture is not None:
@@ -110,16 +130,29 @@ class ShapePanel(QWidget):
             self._gesture.cancel()
             self._gesture = None
 
+    @property
+    def _linked(self) -> bool:
+        return self.link_button.isChecked()
+
     def _set(self, value: float, run: bool = False) -> None:
-        set_lambdas(self._document, self._selection, self._targets, value, run=run)
+        if self._curve is not None:
+            values = asked(self._curve.lambdas[self._targets], value, self._linked)
+            set_lambdas(self._document, self._selection, self._targets, values, run=run)
         self._show_values()
 
     def _step(self, count: int, fine: bool = False) -> None:
-        step_lambdas(self._document, self._selection, self._targets, count, fine=fine)
+        model, linked = (self._document, self._selection), self._linked
+        step_lambdas(*model, self._targets, count, fine=fine, linked=linked)
 
     def _set_mode(self, mode: Mode) -> None:
         if self._curve is not None:
-            self._set(lambda_of(mode, self._curve.degree))
+            value = lambda_of(mode, self._curve.degree)
+            set_lambdas(self._document, self._selection, self._targets, value)
+        self._show_values()
+
+    def _link(self) -> None:
+        self._show_scope()
+        self._show_values()
 
     def _act_on_all(self) -> None:
         self._selection.select(points=(), segments=())
@@ -152,8 +185,7 @@ class ShapePanel(QWidget):
     def _show_scope(self) -> None:
         """Say which λ the controls act on, and disable them, with the reason, if there is nothing to do."""
         item, selection = self._selection.item, self._selection
-        reason = ""
-        title = ""
+        reason, title = obstacle(selection), ""
         if item is not None:
             indices = selection.lambda_indices().tolist()
             if selection.points:
@@ -163,17 +195,14 @@ class ShapePanel(QWidget):
                 title = f"{words.symbols('λ', indices)} ({named})" if indices else f"({named})"
             else:
                 title = "all λ"
-            if item.locked:
-                reason = words.locked_reason(item.name)
-            elif not self._targets.size:
-                reason = words.inactive_reason(item.curve, indices)
-        else:
-            reason = "There is no curve: add one in the list of curves."
         self._heading.setText(f"SHAPE · {title}" if title else "SHAPE")
         self.slider.setEnabled(not reason)
         self.field.setEnabled(not reason)
-        describe(self.slider, "Shape parameter λ, slider", reason or _SLIDER_TIP)
-        describe(self.field, "Shape parameter λ, exact", reason or _FIELD_TIP)
+        shown, together = (
+            ("Mean of the linked λ", f"{_LINKED_TIP} ") if self._linked else ("Shape parameter λ", "")
+        )
+        describe(self.slider, f"{shown}, slider", reason or together + _SLIDER_TIP)
+        describe(self.field, f"{shown}, exact", reason or together + _FIELD_TIP)
         for mode, button in self.mode_buttons.items():
             button.setEnabled(not reason)
             describe(button, f"Make λ {mode.value}", reason or _MODE_TIPS[mode])
@@ -192,9 +221,10 @@ class ShapePanel(QWidget):
             return
         shown = self._targets if self._targets.size else self._selection.lambda_indices()
         values = curve.lambdas[shown]
-        self.slider.show_values(values, curve.degree)
         common = float(values[0]) if values.size and (values == values[0]).all() else None
-        self.field.show_value(common)
+        middle = mean(values) if values.size and self._linked else None
+        self.slider.show_values(values, curve.degree, middle)
+        self.field.show_value(common if middle is None else middle)
         for mode, button in self.mode_buttons.items():
             button.setChecked(common == lambda_of(mode, curve.degree))
 
