@@ -12,9 +12,11 @@ from theditor.spline.basis import (
 )
 from theditor.spline.catalogue import KNOWN, Known, Parameter
 from theditor.spline.checks import MAX_COORDINATE, MAX_LAMBDA, fewest_points
+from theditor.spline.continuity import Continuity, JointReport, continuity
 from theditor.spline.curvature import bending_energy, curvature, osculating_circle
 from theditor.spline.curve import Curve, Ends
 from theditor.spline.formula import FormulaError
+from theditor.spline.geometry import nearest
 from theditor.spline.guards import Guards, ReversedJoint, hull, negative_basis, reversed_joints
 from theditor.spline.kinds import Kind
 from theditor.spline.lambdas import gradient, shifted, smoothed
@@ -41,12 +43,14 @@ __all__ = [
     "MAX_COORDINATE",
     "MAX_LAMBDA",
     "PULL_BOUNDS",
+    "Continuity",
     "CurvatureExtremes",
     "Curve",
     "Ends",
     "FormulaError",
     "Guards",
     "Inflections",
+    "JointReport",
     "Kind",
     "Known",
     "Missing",
@@ -63,6 +67,7 @@ __all__ = [
     "basis",
     "bending_energy",
     "changed_segments",
+    "continuity",
     "curvature",
     "curvature_extremes",
     "evaluate_segments",
@@ -78,6 +83,7 @@ __all__ = [
     "middle_track",
     "missing",
     "mode_of",
+    "nearest",
     "negative_basis",
     "osculating_circle",
     "parameter_at",
