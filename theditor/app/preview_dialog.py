@@ -1,0 +1,109 @@
+"""A small dialog whose outcome is seen in the drawing while its fields are changed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QGridLayout, QLabel, QVBoxLayout, QWidget
+
+from theditor.drawing import Drawing
+from theditor.model import Document
+from theditor.panels.parts import GAP, MARGIN, Paragraph, heading
+
+_WIDTH = 400
+_FROM_TOP = 72
+_SENTENCE_LINES = 3
+
+
+class PreviewDialog(QDialog):
+    """A `heading`, what it is `about`, labelled fields, a sentence if something is wrong, OK and Cancel.
+
+    It stands over the panels of its window, so that the canvas stays in sight. OK keeps what is seen as one
+    undo step; Cancel and Escape leave no trace.
+
+    Parameters
+    ----------
+    document
+        Whose drawing is changed.
+    step
+        Title of the dialog, and name of the undo step.
+    outcome
+        Makes of the drawing before the dialog the one that the fields ask for. A `ValueError` bars OK, and
+        its message is shown under the fields; the drawing stays as it last was.
+    parent
+        The window.
+    """
+
+    def __init__(
+        self, document: Document, step: str, outcome: Callable[[Drawing], Drawing], parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(step)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setFixedWidth(_WIDTH)
+        self._outcome, self._window = outcome, parent
+        self._gesture = document.begin(step)
+        self.heading = heading("", capitals=False)
+        self.about = Paragraph()
+        self.sentence = QLabel()
+        self.sentence.setWordWrap(True)
+        self.sentence.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.sentence.setTextFormat(Qt.TextFormat.PlainText)
+        # Room is kept for it, so that nothing jumps while a hand is typing.
+        self.sentence.setMinimumHeight(_SENTENCE_LINES * self.fontMetrics().lineSpacing() + 4)
+        self.buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        self.buttons.accepted.connect(self.accept)
+        self.buttons.rejected.connect(self.reject)
+        self._fields = QGridLayout()
+        self._fields.setHorizontalSpacing(GAP)
+        self._fields.setVerticalSpacing(GAP)
+        self._fields.setColumnStretch(1, 1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
+        layout.setSpacing(GAP)
+        layout.addWidget(self.heading)
+        layout.addWidget(self.about)
+        layout.addLayout(self._fields)
+        layout.addWidget(self.sentence)
+        layout.addWidget(self.buttons)
+
+    def add_field(self, text: str, field: QWidget) -> None:
+        """Add a labelled field under those that are there; connect its changes to `refresh`."""
+        label = QLabel(text)
+        label.setBuddy(field)
+        line = self._fields.rowCount()
+        self._fields.addWidget(label, line, 0)
+        self._fields.addWidget(field, line, 1)
+
+    def refresh(self) -> None:
+        """Show what the fields ask for now, or say why that cannot be."""
+        problem = ""
+        try:
+            drawing = self._outcome(self._gesture.before)
+        except ValueError as error:
+            problem = str(error)
+        else:
+            self._gesture.preview(drawing)
+        self.sentence.setText(_sentence(problem) if problem else "")
+        self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(not problem)
+
+    def open(self) -> None:
+        """Show the dialog over the panels of its window, with the outcome of its first values."""
+        self.refresh()
+        self.move(self._window.mapToGlobal(QPoint(self._window.width() - _WIDTH, _FROM_TOP)))
+        super().open()
+
+    def done(self, result: int) -> None:
+        """Keep what is seen, or take it back."""
+        if result == QDialog.DialogCode.Accepted:
+            self._gesture.commit()
+        else:
+            self._gesture.cancel()
+        super().done(result)
+
+
+def _sentence(problem: str) -> str:
+    return problem[0].upper() + problem[1:].removesuffix(".") + "."
