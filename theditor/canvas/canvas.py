@@ -31,6 +31,7 @@ from theditor.canvas.hit_test import (
     exists,
     nearest_handle,
     nearest_place,
+    parameter_of,
     sliding_place,
 )
 from theditor.canvas.legend import Legend
@@ -57,6 +58,8 @@ class Pointed:
     over: str
     hint: str
     scale: float
+    u: float | None = None
+    """The parameter of the current curve at the pointer, if it is over it."""
 
 
 class Canvas(pg.GraphicsView):
@@ -291,8 +294,11 @@ class Canvas(pg.GraphicsView):
         if self._pointer is not None:
             x, y = plane.to_points(self._pointer.at).tolist()
             position = (x, y)
-        over = describe(self._hit, self._document.drawing, self._selection.curve)
-        self.pointed.emit(Pointed(position, over, hint(self._hit, self._drag), plane.scale))
+        drawing, current = self._document.drawing, self._selection.curve
+        hit = self._valid_hit()
+        over = describe(hit, drawing, current)
+        u = parameter_of(hit, current, drawing[current].curve) if current >= 0 else None
+        self.pointed.emit(Pointed(position, over, hint(hit, self._drag), plane.scale, u))
 
     def _pointer_of(self, event: QMouseEvent) -> Pointer:
         position, held = event.position(), event.modifiers()

@@ -116,3 +116,16 @@ def exists(hit: Hit, curve: Curve) -> bool:
             return segment < curve.segment_count
         case _:
             return False
+
+
+def parameter_of(hit: Hit, current: int, curve: Curve) -> float | None:
+    """The parameter of the current curve at what was hit; None where that is not a place on it."""
+    match hit:
+        case SegmentHit(owner, segment, t) if owner == current:
+            return segment + t
+        case JointHit(point):
+            return float((point - curve.first_segment) % len(curve.control_points))
+        case MiddleHit(segment):
+            return segment + 0.5
+        case _:
+            return None
