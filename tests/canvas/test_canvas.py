@@ -45,6 +45,26 @@ def test_the_curve_follows_live_and_escape_takes_the_drag_back(canvas, hand, qtb
     assert canvas.document.undo_stack.count() == 0
 
 
+def test_a_wheel_in_mid_drag_leaves_the_point_under_the_pointer(canvas, hand):
+    hand.press(POINTS[2])
+    hand.move([3.4, 3.2])
+    hand.wheel([3.4, 3.2], 3)
+    hand.move([3.5, 3.3])
+    assert points(canvas)[2] == pytest.approx([3.5, 3.3], abs=1e-9)
+
+
+def test_another_curve_made_current_in_mid_drag_does_no_harm(canvas, hand):
+    hand.press(POINTS[2])
+    hand.move([3.4, 3.2])
+    moved = canvas.document.drawing
+    canvas.document.apply("Duplicate", moved.inserted(2, moved[0]))
+    canvas.selection.select(curve=2)
+    hand.move([6.0, 6.0])
+    hand.release([6.0, 6.0])
+    assert canvas.document.drawing[0] == moved[0]
+    assert canvas.document.undo_stack.count() == 2
+
+
 def test_ctrl_keeps_to_the_horizontal_or_vertical(canvas, hand):
     hand.drag(POINTS[2], [4.0, 3.2], keys=CTRL)
     assert points(canvas)[2] == pytest.approx([4.0, 3.0])

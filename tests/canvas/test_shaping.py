@@ -43,7 +43,7 @@ def test_a_pull_beyond_reach_stops_at_the_bound_and_shows_the_miss(canvas, hand,
     held = curve(canvas).lambdas[[2, 3]]
     assert set(held.tolist()) & set(PULL_BOUNDS)
     assert "as far as the pull goes" in told.args[0].hint
-    reached, target = canvas._drag.miss
+    reached, target = canvas.plane.to_pixels(canvas._drag.miss)
     assert np.hypot(*(target - reached)) > 20
     x, y = ((reached + target) / 2).astype(int).tolist()
     image = canvas.grab().toImage()

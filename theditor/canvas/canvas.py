@@ -42,7 +42,7 @@ from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pan, Pointer
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.canvas.words import describe, hint
 from theditor.drawing import Drawing
-from theditor.model import Document, Selection, colours_for
+from theditor.model import Document, Selection, colours_for, unbreakable
 from theditor.spline import CONVEX_HULL_RANGE, MAX_COORDINATE, PULL_BOUNDS
 
 ZOOM_STEP = 1.25
@@ -62,6 +62,7 @@ class Pointed:
     """The parameter of the current curve at the pointer, if it is over it."""
 
 
+@unbreakable
 class Canvas(pg.GraphicsView):
     """The drawing, live. Edits go through the document; what is selected is the selection's."""
 
@@ -176,7 +177,7 @@ class Canvas(pg.GraphicsView):
             self._document.before,
             self._place,
             self._reach_points(),
-            self._drag.box if isinstance(self._drag, Marquee) else None,
+            self._drag.corners if isinstance(self._drag, Marquee) else None,
             self._drag.miss if isinstance(self._drag, PullCurve) else None,
         )
 
@@ -302,8 +303,11 @@ class Canvas(pg.GraphicsView):
 
     def _pointer_of(self, event: QMouseEvent) -> Pointer:
         position, held = event.position(), event.modifiers()
+        at = np.array([position.x(), position.y()])
         return Pointer(
-            np.array([position.x(), position.y()]),
+            at,
+            self.plane.to_points(at),
+            self.plane.scale,
             shift=bool(held & Qt.KeyboardModifier.ShiftModifier),
             ctrl=bool(held & Qt.KeyboardModifier.ControlModifier),
         )
@@ -325,13 +329,13 @@ class Canvas(pg.GraphicsView):
 
     def _drag_for(self, hit: Hit, pointer: Pointer) -> Drag:
         if isinstance(hit, PointHit):
-            return MovePoints(self._document, self._selection, self.plane, pointer, hit.index)
+            return MovePoints(self._document, self._selection, pointer, hit.index)
         if isinstance(hit, SegmentHit):
             bounds = self._bounds if hit.curve == self._selection.curve else PULL_BOUNDS
-            return PullCurve(self._document, self._selection, self.plane, pointer, hit, bounds)
+            return PullCurve(self._document, self._selection, pointer, hit, bounds)
         if isinstance(hit, JointHit | MiddleHit):
-            return SlideJoint(self._document, self._selection, self.plane, pointer, hit, self._bounds)
-        return Marquee(self._selection, self.plane, pointer)
+            return SlideJoint(self._document, self._selection, pointer, hit, self._bounds)
+        return Marquee(self._selection, pointer)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Follow the drag, or show what would be grabbed."""

@@ -29,6 +29,8 @@ Floats = NDArray[np.float64]
 TICK = 4.0
 MERGE = 6.0
 """Marks on a track nearer to each other than this many pixels become one."""
+LEAST_MISS = 1.0
+"""A pull that stays nearer than this to the pointer, in pixels, counts as there."""
 MOST_SIGNS = 300
 """More signs than this in view would hide the drawing."""
 MOST_SEGMENTS = 20_000
@@ -157,8 +159,11 @@ def paint_place(painter: QPainter, place: Floats, colours: Colours) -> None:
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def paint_miss(painter: QPainter, reached: Floats, target: Floats, colours: Colours) -> None:
-    """Paint a thin line from what a pull reached to where the pointer is, both in pixels."""
+def paint_miss(painter: QPainter, miss: Floats, colours: Colours) -> None:
+    """Paint a thin line from what a pull reached to where the pointer is, (2, 2) in pixels, if they are apart."""
+    reached, target = miss
+    if np.hypot(*(target - reached)) <= LEAST_MISS:
+        return
     painter.setPen(_pen(colours.hyperbolic, 1.2))
     painter.drawLine(QPointF(*reached), QPointF(*target))
     painter.drawEllipse(QPointF(*target), 3.0, 3.0)

@@ -66,9 +66,10 @@ class Frame:
     """A parameter of the current curve to point out."""
     reach: tuple[int, ...] = ()
     """Control points whose λ shows what it can reach."""
-    marquee: tuple[Floats, Floats] | None = None
-    miss: tuple[Floats, Floats] | None = None
-    """In pixels, what a pull reached and where the pointer is."""
+    marquee: Floats | None = None
+    """Two opposite corners in the plane, (2, 2)."""
+    miss: Floats | None = None
+    """What a pull reached and where the pointer is, in the plane, (2, 2)."""
 
 
 def paint_ground(painter: QPainter, frame: Frame) -> None:
@@ -116,13 +117,13 @@ def paint_picture(painter: QPainter, frame: Frame, curves: CurvesPainter) -> Non
     if frame.place is not None and frame.place <= curve.segment_count:
         overlays.paint_place(painter, plane.to_pixels(curve(frame.place)), colours)
     if frame.miss is not None:
-        overlays.paint_miss(painter, *frame.miss, colours)
+        overlays.paint_miss(painter, plane.to_pixels(frame.miss), colours)
     hovered = frame.hit.index if isinstance(frame.hit, PointHit) else None
     handles.paint_handles(painter, curve, plane, frame.points, hovered, colours)
     if frame.shown.labels:
         _paint_labels(painter, frame, curve, curves)
     if frame.marquee is not None:
-        _paint_marquee(painter, *frame.marquee, colours)
+        _paint_marquee(painter, plane.to_pixels(frame.marquee), colours)
 
 
 def _paint_curvature(painter: QPainter, frame: Frame, curve: Curve) -> None:
@@ -167,11 +168,11 @@ def _paint_empty(painter: QPainter, frame: Frame) -> None:
     painter.drawText(room, Qt.AlignmentFlag.AlignCenter, EMPTY)
 
 
-def _paint_marquee(painter: QPainter, low: Floats, high: Floats, colours: Colours) -> None:
+def _paint_marquee(painter: QPainter, corners: Floats, colours: Colours) -> None:
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
     fill = QColor(colours.accent)
     fill.setAlpha(28)
     painter.setBrush(fill)
     painter.setPen(QPen(QColor(colours.accent), 1))
-    painter.drawRect(QRectF(QPointF(*low), QPointF(*high)))
+    painter.drawRect(QRectF(QPointF(*corners.min(axis=0)), QPointF(*corners.max(axis=0))))
     painter.setBrush(Qt.BrushStyle.NoBrush)

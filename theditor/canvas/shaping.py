@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from theditor.canvas.hit_test import JointHit, MiddleHit, SegmentHit
 from theditor.canvas.projection import moved, projected
 from theditor.canvas.tools import PickSegment, Pointer
-from theditor.canvas.viewport import Viewport
 from theditor.model import Document, Gesture, Selection
 from theditor.model.words import indexed, listed, number
 from theditor.spline import (
@@ -25,8 +24,6 @@ from theditor.spline import (
 Floats = NDArray[np.float64]
 Bounds = tuple[float, float]
 
-MISS = 1.0
-"""A pull that stays further than this many pixels from the pointer shows by how much."""
 MAGNET = 6.0
 """A joint this near to where a mode would put it is put there exactly, in pixels."""
 
@@ -42,17 +39,17 @@ class PullCurve:
         self,
         document: Document,
         selection: Selection,
-        viewport: Viewport,
         press: Pointer,
         hit: SegmentHit,
         bounds: Bounds,
     ) -> None:
         self._pick = PickSegment(selection, press, hit.curve, hit.segment)
-        self._document, self._viewport, self._bounds = document, viewport, bounds
+        self._document, self._bounds = document, bounds
         self._index, self._press = hit.curve, press
         self._u = hit.segment + min(max(hit.t, 0.0), 1.0)
         self._gesture: Gesture | None = None
-        self.miss: tuple[Floats, Floats] | None = None
+        self.miss: Floats | None = None
+        """What was reached and what was asked for, (2, 2)."""
         self.note = ""
 
     def move(self, pointer: Pointer) -> None:
@@ -63,14 +60,13 @@ class PullCurve:
             self._gesture = self._document.begin("Pull the curve")
         before = self._gesture.before[self._index].curve
         plane = projected(before)
-        grip = plane(self._u) - self._viewport.to_points(self._press.at)
-        target = (self._viewport.to_points(pointer.at) + grip).clip(-MAX_COORDINATE, MAX_COORDINATE)
+        grip = plane(self._u) - self._press.point
+        target = (pointer.point + grip).clip(-MAX_COORDINATE, MAX_COORDINATE)
         if pointer.shift:
             curve, reached = self._move_points(before, plane, target)
         else:
             curve, reached = self._pull(before, plane, target, nearer=pointer.ctrl)
-        ends = self._viewport.to_pixels(np.stack([reached, target]))
-        self.miss = (ends[0], ends[1]) if np.hypot(*(ends[1] - ends[0])) > MISS else None
+        self.miss = np.stack([reached, target])
         self._gesture.preview(self._gesture.before.with_curve(self._index, curve))
 
     def _pull(self, before: Curve, plane: Curve, target: Floats, *, nearer: bool) -> tuple[Curve, Floats]:
@@ -114,12 +110,12 @@ class SlideJoint:
         self,
         document: Document,
         selection: Selection,
-        viewport: Viewport,
         press: Pointer,
         hit: JointHit | MiddleHit,
         bounds: Bounds,
     ) -> None:
-        self._document, self._selection, self._viewport = document, selection, viewport
+        self._document, self._selection = document, selection
+        self._curve = selection.curve
         self._press, self._bounds = press, bounds
         self._before = selection.points, selection.segments
         item = selection.item
@@ -128,7 +124,7 @@ class SlideJoint:
         self._degree = plane.degree
         self.track = track_of(plane, hit)
         self._indices = shaped_by(plane, hit)
-        self._grip = self.track.position(self.track.current) - viewport.to_points(press.at)
+        self._grip = self.track.position(self.track.current) - press.point
         self._gesture: Gesture | None = None
         if isinstance(hit, JointHit):
             points = selection.points ^ {hit.point} if press.shift else {hit.point}
@@ -142,21 +138,21 @@ class SlideJoint:
             self._gesture = self._document.begin(
                 "Slide the joint" if self._degree == 3 else "Slide the curve"
             )
-        target = (self._viewport.to_points(pointer.at) + self._grip).clip(-MAX_COORDINATE, MAX_COORDINATE)
+        target = (pointer.point + self._grip).clip(-MAX_COORDINATE, MAX_COORDINATE)
         lam = self.track.parameter_nearest(target, self._bounds)
         if not pointer.shift:
-            lam = self._drawn_to(lam)
-        before, index = self._gesture.before, self._selection.curve
+            lam = self._drawn_to(lam, pointer)
+        before, index = self._gesture.before, self._curve
         curve = before[index].curve.with_lambdas(self._indices, lam)
         self._gesture.preview(before.with_curve(index, curve))
 
-    def _drawn_to(self, lam: float) -> float:
+    def _drawn_to(self, lam: float, pointer: Pointer) -> float:
         """The λ of a mode where its place is near and far enough from the others' places to tell apart."""
         marks = np.array([0.0, 1.0, INTERPOLATING[self._degree]])
-        away = np.abs(marks - lam) * np.hypot(*self.track.direction) * self._viewport.scale
+        away = np.abs(marks - lam) * np.hypot(*self.track.direction) * pointer.scale
         nearest = int(np.argmin(away))
         between = np.abs(np.delete(marks, nearest) - marks[nearest]).min()
-        apart = between * float(np.hypot(*self.track.direction)) * self._viewport.scale
+        apart = between * float(np.hypot(*self.track.direction)) * pointer.scale
         return float(marks[nearest]) if away[nearest] < min(MAGNET, apart / 3) else lam
 
     def release(self, pointer: Pointer) -> None:

@@ -1,7 +1,6 @@
 """What the mouse does: each drag is a small object that turns moves into an edit, a selection or a new view.
 
-A drag gets positions in pixels and converts them with the viewport of the moment it began, so that a view that
-changes under the hand does not disturb it.
+A drag works with points of the plane, so that a view that changes under the hand does not disturb it.
 """
 
 from __future__ import annotations
@@ -25,9 +24,12 @@ SLACK = 3.0
 
 @dataclass(frozen=True)
 class Pointer:
-    """Where the mouse is, in pixels (2,), and which keys are held."""
+    """Where the mouse is, in pixels (2,) and as a point of the plane (2,), and which keys are held."""
 
     at: Floats
+    point: Floats
+    scale: float
+    """Pixels per unit."""
     shift: bool = False
     ctrl: bool = False
 
@@ -48,11 +50,10 @@ class Drag(Protocol):
 class MovePoints:
     """Drag the selected control points; Ctrl keeps to the horizontal or the vertical."""
 
-    def __init__(
-        self, document: Document, selection: Selection, viewport: Viewport, press: Pointer, index: int
-    ) -> None:
-        self._document, self._selection, self._viewport = document, selection, viewport
+    def __init__(self, document: Document, selection: Selection, press: Pointer, index: int) -> None:
+        self._document, self._selection = document, selection
         self._press, self._index = press, index
+        self._curve = selection.curve
         self._was_selected = index in selection.points
         self._points_before = selection.points
         self._gesture: Gesture | None = None
@@ -73,15 +74,13 @@ class MovePoints:
             self._chosen = np.array(chosen, dtype=np.intp)
             text = "Move control point" if len(chosen) == 1 else f"Move {len(chosen)} control points"
             self._gesture = self._document.begin(text)
-        offset = self._viewport.to_points(pointer.at) - self._viewport.to_points(self._press.at)
+        offset = pointer.point - self._press.point
         if pointer.ctrl:
             offset[int(np.argmin(np.abs(offset)))] = 0.0
         before = self._gesture.before
-        curve = before[self._selection.curve].curve
+        curve = before[self._curve].curve
         points = moved(curve.control_points[self._chosen], offset).clip(-MAX_COORDINATE, MAX_COORDINATE)
-        self._gesture.preview(
-            before.with_curve(self._selection.curve, curve.with_points(self._chosen, points))
-        )
+        self._gesture.preview(before.with_curve(self._curve, curve.with_points(self._chosen, points)))
 
     def release(self, pointer: Pointer) -> None:
         """Commit the move; a click on one of several selected points selects it alone."""
@@ -123,20 +122,21 @@ class PickSegment:
 class Marquee:
     """A rectangle that selects the control points inside; Shift adds, Ctrl+Shift removes. A click selects nothing."""
 
-    def __init__(self, selection: Selection, viewport: Viewport, press: Pointer) -> None:
-        self._selection, self._viewport, self._press = selection, viewport, press
+    def __init__(self, selection: Selection, press: Pointer) -> None:
+        self._selection, self._press = selection, press
         self._before = selection.points, selection.segments
-        self.box: tuple[Floats, Floats] | None = None
+        self.corners: Floats | None = None
+        """Two opposite corners in the plane, (2, 2), once it is open."""
 
     def move(self, pointer: Pointer) -> None:
         """Select what the rectangle holds now."""
-        low, high = np.minimum(self._press.at, pointer.at), np.maximum(self._press.at, pointer.at)
-        self.box = low, high
+        self.corners = np.stack([self._press.point, pointer.point])
         item = self._selection.item
         if item is None or item.locked or not item.visible:
             return
-        pixels = self._viewport.to_pixels(projected(item.curve).control_points)
-        inside = frozenset(np.flatnonzero(((pixels >= low) & (pixels <= high)).all(axis=1)).tolist())
+        held = projected(item.curve).control_points
+        low, high = self.corners.min(axis=0), self.corners.max(axis=0)
+        inside = frozenset(np.flatnonzero(((held >= low) & (held <= high)).all(axis=1)).tolist())
         points, segments = self._before
         if self._press.shift and self._press.ctrl:
             inside = points - inside
@@ -146,7 +146,7 @@ class Marquee:
 
     def release(self, pointer: Pointer) -> None:
         """Keep the selection."""
-        if self.box is None and not self._press.shift:
+        if self.corners is None and not self._press.shift:
             self._selection.select(points=(), segments=())
 
     def cancel(self) -> None:

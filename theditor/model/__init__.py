@@ -4,5 +4,6 @@ from theditor.model.colours import DARK, LIGHT, Colours, colours_for
 from theditor.model.document import Document
 from theditor.model.gesture import Gesture
 from theditor.model.selection import Selection
+from theditor.model.unbreakable import unbreakable
 
-__all__ = ["DARK", "LIGHT", "Colours", "Document", "Gesture", "Selection", "colours_for"]
+__all__ = ["DARK", "LIGHT", "Colours", "Document", "Gesture", "Selection", "colours_for", "unbreakable"]

@@ -114,7 +114,8 @@ def curvature_extremes(curve: Curve, accuracy: float = 1e-9) -> CurvatureExtreme
     before, at = _meetings(curve)
     table = [(inner, value, np.concatenate(maximum))]
     left, right = _size(curve, at, "left"), _size(curve, at, "right")
-    level = (left == right) | (np.abs(left - right) <= _LEAP * np.maximum(left, right))
+    with np.errstate(invalid="ignore"):  # inf on both sides is level already
+        level = (left == right) | (np.abs(left - right) <= _LEAP * np.maximum(left, right))
     up, down = ~level & (left < right), ~level & (left > right)
     grows, shrinks = ends[before], begins[at]
     for size, peak, there in (
