@@ -17,7 +17,7 @@ _SENTENCE_LINES = 3
 
 
 class PreviewDialog(QDialog):
-    """A `heading`, what it is `about`, labelled fields, a sentence if something is wrong, OK and Cancel.
+    """A heading, what happens, labelled fields, a sentence if something is wrong, OK and Cancel.
 
     It stands over the panels of its window, so that the canvas stays in sight. OK keeps what is seen as one
     undo step; Cancel and Escape leave no trace.
@@ -28,6 +28,8 @@ class PreviewDialog(QDialog):
         Whose drawing is changed.
     step
         Title of the dialog, and name of the undo step.
+    what, about
+        The heading, and a sentence or two under it.
     outcome
         Makes of the drawing before the dialog the one that the fields ask for. A `ValueError` bars OK, and
         its message is shown under the fields; the drawing stays as it last was.
@@ -36,7 +38,13 @@ class PreviewDialog(QDialog):
     """
 
     def __init__(
-        self, document: Document, step: str, outcome: Callable[[Drawing], Drawing], parent: QWidget
+        self,
+        document: Document,
+        step: str,
+        what: str,
+        about: str,
+        outcome: Callable[[Drawing], Drawing],
+        parent: QWidget,
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(step)
@@ -44,8 +52,8 @@ class PreviewDialog(QDialog):
         self.setFixedWidth(_WIDTH)
         self._outcome, self._window = outcome, parent
         self._gesture = document.begin(step)
-        self.heading = heading("", capitals=False)
-        self.about = Paragraph()
+        paragraph = Paragraph()
+        paragraph.setText(about)
         self.sentence = QLabel()
         self.sentence.setWordWrap(True)
         self.sentence.setAlignment(Qt.AlignmentFlag.AlignTop)
@@ -64,8 +72,8 @@ class PreviewDialog(QDialog):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
         layout.setSpacing(GAP)
-        layout.addWidget(self.heading)
-        layout.addWidget(self.about)
+        layout.addWidget(heading(what, capitals=False))
+        layout.addWidget(paragraph)
         layout.addLayout(self._fields)
         layout.addWidget(self.sentence)
         layout.addWidget(self.buttons)
