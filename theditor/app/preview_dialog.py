@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, Qt, SignalInstance
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from theditor.drawing import Drawing
@@ -78,8 +78,9 @@ class PreviewDialog(QDialog):
         layout.addWidget(self.sentence)
         layout.addWidget(self.buttons)
 
-    def add_field(self, text: str, field: QWidget) -> None:
-        """Add a labelled field under those that are there; connect its changes to `refresh`."""
+    def add_field(self, text: str, field: QWidget, changed: SignalInstance) -> None:
+        """Add a labelled field under those that are there; `changed` is its signal that asks for a new outcome."""
+        changed.connect(self.refresh)
         label = QLabel(text)
         label.setBuddy(field)
         line = self._fields.rowCount()
