@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeySequence
 
+from theditor.app.lambda_dialogs import LambdaDialog, formula_dialog, gradient_dialog, smooth_dialog
 from theditor.spline import Mode
 
 if TYPE_CHECKING:
@@ -88,6 +89,9 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             gap=gap,
         )
 
+    def many(name: str, text: str, tip: str, dialog: LambdaDialog, *, gap: bool = False) -> Command:
+        return Command(name, "Curve", text, tip, lambda: window.change_lambdas(dialog), gap=gap)
+
     return (
         Command("new", "File", "&New", "Start an empty drawing", window.new, (_Standard.New,)),
         Command("open", "File", "&Open…", "Open a drawing from a file", window.open, (_Standard.Open,)),
@@ -160,6 +164,15 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
         mode("trigonometric", Mode.TRIGONOMETRIC, "Make segments &trigonometric", "T", gap=True),
         mode("hyperbolic", Mode.HYPERBOLIC, "Make segments &hyperbolic", "H"),
         mode("interpolating", Mode.INTERPOLATING, "Make segments &interpolating", "I"),
+        many(
+            "gradient",
+            "λ &gradient…",
+            "Let λ run evenly over the selected points, those of the selected segments, or the curve",
+            gradient_dialog,
+            gap=True,
+        ),
+        many("smooth", "&Smooth λ…", "Draw λ that jump up and down towards their neighbours", smooth_dialog),
+        many("formula", "λ by &formula…", "Give each λ the value of a formula in i, n and λ", formula_dialog),
         Command(
             "keep_hull",
             "Curve",

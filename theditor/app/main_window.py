@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 from theditor.app.actions import commands, make_action
 from theditor.app.docks import add_dock, scrolling_column
 from theditor.app.gallery_dialog import GalleryDialog
+from theditor.app.lambda_dialogs import LambdaDialog
 from theditor.app.problems import MessageBar, log
 from theditor.app.recent import recent_files, remember_file
 from theditor.app.theme import Theme, choose_theme, chosen_theme
@@ -184,7 +185,8 @@ class MainWindow(QMainWindow):
             action.setText(f"&{verb} {text}".rstrip())
             action.setIconText(verb)
         editable = item is not None and not item.locked
-        for name in ("delete", "reverse", "trigonometric", "hyperbolic", "interpolating"):
+        modes, many = ("trigonometric", "hyperbolic", "interpolating"), ("gradient", "smooth", "formula")
+        for name in ("delete", "reverse", *modes, *many):
             self.actions_by_name[name].setEnabled(editable)
         for name in ("duplicate", "select_all"):
             self.actions_by_name[name].setEnabled(item is not None)
@@ -319,6 +321,13 @@ class MainWindow(QMainWindow):
         item = Item(Curve(points, ends="clamped"), name=f"Curve {number}")
         self.document.apply("Add curve", drawing.inserted(len(drawing), item))
         self.selection.select(curve=len(drawing))
+
+    def change_lambdas(self, dialog: LambdaDialog) -> None:
+        """Ask how to change many λ at once, or say why none can be."""
+        try:
+            dialog(self.document, self.selection, self).open()
+        except ValueError as error:
+            self.statusBar().showMessage(str(error), 8000)
 
     def reverse(self) -> None:
         """Run through the current curve the other way; its shape stays."""
