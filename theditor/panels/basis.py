@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
-from theditor.model import Document, Selection, colours_for
+from theditor.model import Document, Selection, colours_for, unbreakable
 from theditor.model.words import number
 from theditor.panels.basis_plot import SegmentBasis, paint_basis, plots
 from theditor.panels.parts import describe
@@ -20,6 +20,7 @@ _TIP = (
 _STEP, _LEAP = 0.01, 0.1
 
 
+@unbreakable
 class BasisPanel(QWidget):
     """Shows the selected segment's basis functions; of several, the one under the pointer or the first.
 

@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, QItemSelectionModel, QModelIndex, QObject, QS
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QTableView, QVBoxLayout, QWidget
 
-from theditor.model import Document, Selection
+from theditor.model import Document, Selection, unbreakable
 from theditor.panels.continuity_model import ContinuityModel
 from theditor.panels.parts import MARGIN, describe, heading, tabular
 from theditor.spline import Curve, continuity
@@ -21,6 +21,7 @@ _WIDTHS = (64, 190, 92, 80, 80, 80, 92, 160)
 _TIP = "Every joint, measured from both sides. Select one to select what shapes it and see it on the canvas."
 
 
+@unbreakable
 class ContinuityPanel(QWidget):
     """Lists the joints of the current curve; measures them only while it can be seen."""
 
@@ -42,7 +43,8 @@ class ContinuityPanel(QWidget):
         layout.addWidget(self.heading)
         layout.addWidget(self.table)
 
-        self.table.viewport().installEventFilter(self)
+        for watched in (self.table, self.table.viewport()):
+            watched.installEventFilter(self)
         self.table.entered.connect(self._hover)
         self.table.selectionModel().currentRowChanged.connect(self._select)
         document.changed.connect(self._follow)
@@ -59,8 +61,8 @@ class ContinuityPanel(QWidget):
         self._follow()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Notice when the pointer leaves the rows."""
-        if event.type() == QEvent.Type.Leave:
+        """Notice when neither the pointer nor the keys are on the rows any more."""
+        if event.type() in (QEvent.Type.Leave, QEvent.Type.FocusOut, QEvent.Type.Hide):
             self.hovered.emit(None)
         return super().eventFilter(watched, event)
 

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QShowEvent
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSlider, QVBoxLayout, QWidget
 
-from theditor.model import Document, Selection, colours_for
+from theditor.model import Document, Selection, colours_for, unbreakable
 from theditor.model.words import number
 from theditor.panels.curvature_plot import MOST_MARKED, NO_MARKS, Marks, marks, paint_curvature, plot_of
 from theditor.panels.curvature_profile import Profile, profile
@@ -25,6 +25,7 @@ _LENGTH_STEPS = 50  # of the slider to either side; at its ends teeth are ten ti
 _DENSITY = (1, 64, 16)  # least, most, default
 
 
+@unbreakable
 class CurvaturePlot(QWidget):
     """The plot itself. The arrow keys move the marker along the curve."""
 
