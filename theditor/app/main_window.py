@@ -31,6 +31,9 @@ from theditor.app.theme import Theme, choose_theme, chosen_theme
 from theditor.canvas import Canvas, Pointed
 from theditor.drawing import DrawingError, Item, load
 from theditor.model import Document, Selection
+from theditor.panels.basis import BasisPanel
+from theditor.panels.continuity import ContinuityPanel
+from theditor.panels.curvature import CurvaturePanel
 from theditor.panels.curve import CurvePanel
 from theditor.panels.curves import CurvesPanel
 from theditor.panels.lambda_strip import LambdaStrip
@@ -82,6 +85,8 @@ class MainWindow(QMainWindow):
             SegmentPanel(*model),
         )
         self.strip = LambdaStrip(*model)
+        self.basis, self.curvature = BasisPanel(*model), CurvaturePanel(*model)
+        self.continuity = ContinuityPanel(*model)
         self.curves.add_requested.connect(self.add_curve)
         column = (self.curves, self.curve, self.shape, self.segments, self.segment)
 
@@ -92,7 +97,15 @@ class MainWindow(QMainWindow):
             self, "Properties", "properties", scrolling_column(column, self.segments), right
         )
         properties.setTitleBarWidget(QWidget())
-        tabs = [add_dock(self, "λ strip", "lambda_strip", self.strip, bottom)]
+        tabs = [
+            add_dock(self, title, name, panel, bottom)
+            for title, name, panel in (
+                ("λ strip", "lambda_strip", self.strip),
+                ("Basis", "basis", self.basis),
+                ("Curvature", "curvature", self.curvature),
+                ("Continuity", "continuity", self.continuity),
+            )
+        ]
         tabs[0].raise_()
         self.resizeDocks([properties], [COLUMN_WIDTH], Qt.Orientation.Horizontal)
         self.resizeDocks(tabs[:1], [196], Qt.Orientation.Vertical)
@@ -153,6 +166,9 @@ class MainWindow(QMainWindow):
         self.canvas.pointed.connect(self._show_pointed)
         self.shape.hovered.connect(self.canvas.show_reach)
         self.strip.hovered.connect(self.canvas.show_reach)
+        for linked in (self.basis, self.curvature, self.continuity):
+            linked.hovered.connect(self.canvas.show_place)
+        self.curvature.comb_changed.connect(self._show_comb)
         for panel in (self.curves, self.curve, self.shape, self.segments, self.strip):
             panel.announce.connect(lambda text: bar.showMessage(text, 8000))
 
@@ -199,6 +215,13 @@ class MainWindow(QMainWindow):
         self._over.setText(pointed.over)
         self._hint.setText(pointed.hint)
         self._zoom.setText(f"zoom {pointed.scale:.3g} px/unit")
+        self.basis.show_place(pointed.u)
+        self.curvature.show_place(pointed.u)
+
+    def _show_comb(self, length: float, density: int) -> None:
+        """Show the curvature comb, with teeth of that length and number."""
+        self.canvas.set_shown(comb_length=length, comb_density=density)
+        self.actions_by_name["show_comb"].setChecked(True)
 
     # Files
 
