@@ -6,10 +6,11 @@ import sys
 import numpy as np
 import pytest
 from hand import SHIFT
-from PySide6.QtCore import QPoint, QSettings, Qt
+from PySide6.QtCore import QPoint, QSettings, Qt, QTimer
 from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QFileDialog, QMessageBox
+from PySide6.QtWidgets import QApplication, QLineEdit, QMessageBox
 
+from theditor.app.ask import where_to_save
 from theditor.app.problems import catch_everything
 from theditor.drawing import load
 from theditor.model import DARK
@@ -28,7 +29,7 @@ def trigger(window, name):
 
 
 def save_to(monkeypatch, path):
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    monkeypatch.setattr("theditor.app.ask.where_to_save", lambda *_: path)
 
 
 def test_the_whole_story(window, hand, qtbot, monkeypatch, tmp_path):
@@ -58,7 +59,7 @@ def test_the_whole_story(window, hand, qtbot, monkeypatch, tmp_path):
     qtbot.keyClick(window.canvas, Qt.Key.Key_T)
     assert curve(window).modes[4] is Mode.TRIGONOMETRIC
     assert curve(window).modes[5] is Mode.BLEND
-    assert "blend" in window.statusBar().currentMessage()
+    assert "blend" in window.announced
     values.append(window.document.drawing)
 
     for value in reversed(values[:-1]):
@@ -69,7 +70,7 @@ def test_the_whole_story(window, hand, qtbot, monkeypatch, tmp_path):
         qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier | SHIFT)
         assert window.document.drawing == value
 
-    save_to(monkeypatch, tmp_path / "mine")
+    save_to(monkeypatch, tmp_path / "mine.json")
     qtbot.keyClick(window, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
     assert window.windowTitle() == "mine[*] — theditor"
     assert not window.isWindowModified()
@@ -77,7 +78,7 @@ def test_the_whole_story(window, hand, qtbot, monkeypatch, tmp_path):
 
     trigger(window, "new")
     assert len(window.document.drawing) == 0
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(tmp_path / "mine.json"), ""))
+    monkeypatch.setattr("theditor.app.ask.which_to_open", lambda *_: tmp_path / "mine.json")
     trigger(window, "open")
     assert window.document.drawing == values[-1]
 
@@ -101,7 +102,7 @@ def test_unsaved_changes_are_asked_about(window, hand, answer, monkeypatch, tmp_
     assert window.isVisible()
     assert window.document.drawing is drawing
 
-    save_to(monkeypatch, "")
+    save_to(monkeypatch, None)
     answer(QMessageBox.StandardButton.Save)
     trigger(window, "new")
     assert window.document.drawing is drawing
@@ -146,6 +147,49 @@ def test_an_error_in_a_slot_is_told_and_the_window_lives_on(window, hand, monkey
     assert "RuntimeError: a bug" in window.messages.text
     hand.drag(P5, (1.4, 2.0))
     assert curve(window).control_points[5] == pytest.approx([1.4, 2.0])
+
+
+def test_what_is_being_typed_is_saved_and_asked_about(window, qtbot, monkeypatch, tmp_path, answer):
+    save_to(monkeypatch, tmp_path / "a.json")
+    window.curve.name.setFocus()
+    window.curve.name.selectAll()
+    qtbot.keyClicks(window.curve.name, "Typed")
+    qtbot.keyClick(window, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+    assert load(tmp_path / "a.json")[0].name == "Typed"
+    qtbot.keyClicks(window.curve.name, " on")
+    asked = answer(QMessageBox.StandardButton.Cancel)
+    window.close()
+    assert len(asked) == 1
+    assert window.document.drawing[0].name == "Typed on"
+
+
+@pytest.mark.parametrize("typed", ["b", "b.json"])
+def test_the_save_dialog_completes_the_name_and_asks_before_replacing(window, tmp_path, typed):
+    (tmp_path / "b.json").write_text("{}")
+    asked = []
+
+    def refuse():
+        box = QApplication.activeModalWidget()
+        asked.append(box.text())
+        box.button(QMessageBox.StandardButton.No).click()
+
+    def name_it():
+        dialog = QApplication.activeModalWidget()
+        dialog.findChild(QLineEdit).setText(typed)
+        QTimer.singleShot(0, refuse)
+        dialog.accept()
+        dialog.reject()
+
+    QTimer.singleShot(0, name_it)
+    assert where_to_save(window, tmp_path / "suggested.json") is None
+    assert len(asked) == 1
+    assert "b.json" in asked[0]
+
+
+def test_letters_act_on_points_when_points_are_selected(window, qtbot):
+    window.selection.select(points={5})
+    qtbot.keyClick(window.canvas, Qt.Key.Key_I)
+    assert np.flatnonzero(curve(window).lambdas == INTERPOLATING[3]).tolist() == [3, 4, 5]
 
 
 def test_recent_files_are_offered(window, tmp_path, monkeypatch):

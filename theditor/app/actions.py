@@ -13,7 +13,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeySequence
 
 from theditor.app.lambda_dialogs import LambdaDialog, formula_dialog, gradient_dialog, smooth_dialog
-from theditor.spline import Mode
+from theditor.spline import KNOWN, Known, Mode
 
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
@@ -82,11 +82,22 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             name,
             "Curve",
             text,
-            f"Make the selected segments {mode.value}; all of them if none is selected",
-            lambda: window.segments.set_mode(mode),
+            f"Make the selected points or segments {mode.value}; all of them if none is selected",
+            lambda: window.set_mode(mode),
             (key,),
             on_canvas=True,
             gap=gap,
+        )
+
+    def insert(known: Known, text: str) -> Command:
+        name = known.name.lower()
+        article = "an" if name[0] in "aeiou" else "a"
+        return Command(
+            f"insert_{name.replace(' ', '_')}",
+            "Insert",
+            f"{text}…",
+            f"Insert {article} {name}, exact, by its parameters",
+            lambda: window.insert(known),
         )
 
     def many(name: str, text: str, tip: str, dialog: LambdaDialog, *, gap: bool = False) -> Command:
@@ -190,6 +201,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             window.reverse,
             gap=True,
         ),
+        *map(insert, KNOWN, _with_mnemonics([known.name for known in KNOWN])),
         Command(
             "fit", "View", "&Fit", "Show the whole drawing", canvas.fit, ("F",), on_canvas=True, brief="Fit"
         ),
@@ -226,8 +238,26 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
         shown("ghost", "G&host", "Show the curve as it was while it is dragged", gap=True),
         shown("uniform", "Ordinary &B-spline", "Show the uniform B-spline of the same degree and polygon"),
         shown("legend", "L&egend", "Show which colour means which mode"),
+        Command(
+            "tour",
+            "Help",
+            "&Gallery…",
+            "Choose one of the paper's figures or a known curve, with what to try on it",
+            window.open_gallery,
+        ),
         Command("about", "Help", "&About theditor", "Version, licence and the paper behind it", window.about),
     )
+
+
+def _with_mnemonics(names: list[str]) -> list[str]:
+    """Mark in each name the first letter that no earlier one has taken."""
+    taken: set[str] = set()
+    marked = []
+    for name in names:
+        place = next(i for i, letter in enumerate(name) if letter.lower() not in taken)
+        taken.add(name[place].lower())
+        marked.append(f"{name[:place]}&{name[place:]}")
+    return marked
 
 
 def make_action(window: MainWindow, command: Command) -> QAction:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QApplication
 
 from theditor.app.main_window import MainWindow
@@ -28,14 +29,22 @@ def run(paths: list[Path]) -> int:
     app.setStyle("Fusion")
     start_log()
     follow_system()
-    windows = [MainWindow() for _ in range(max(len(paths), 1))]
+    windows = [MainWindow()]
     catch_everything(lambda text: _active(windows).messages.tell(text))
-    for window in windows:
-        window.show()
-    for window, path in zip(windows, paths, strict=False):
-        window.open_path(path)
+    windows[0].show()
     if not paths:
         windows[0].open_picture(FIRST_PICTURE)
+    faults = []
+    for path in paths:
+        window = windows[-1] if windows[-1].document.path is None else MainWindow()
+        if not window.open_path(path):
+            faults.append(window.messages.text)
+        elif window not in windows:
+            window.move(windows[-1].pos() + QPoint(32, 32))
+            windows.append(window)
+            window.show()
+    if faults:
+        windows[0].messages.tell("\n".join(faults))
     return app.exec()
 
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QSettings, QSize, Qt
-from PySide6.QtGui import QAction, QActionGroup, QCloseEvent
+from PySide6.QtCore import QSettings, QSize, Qt, QTimer
+from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeySequence
 from PySide6.QtWidgets import (
+    QAbstractSpinBox,
     QApplication,
     QDockWidget,
-    QFileDialog,
     QLabel,
+    QLineEdit,
     QMainWindow,
     QMenu,
     QMessageBox,
@@ -21,9 +22,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from theditor.app import ask
 from theditor.app.actions import commands, make_action
 from theditor.app.docks import add_dock, scrolling_column
 from theditor.app.gallery_dialog import GalleryDialog
+from theditor.app.insert_dialog import InsertDialog
 from theditor.app.lambda_dialogs import LambdaDialog
 from theditor.app.problems import MessageBar, log
 from theditor.app.recent import recent_files, remember_file
@@ -41,9 +44,8 @@ from theditor.panels.segment_info import SegmentPanel
 from theditor.panels.segments import SegmentsPanel
 from theditor.panels.shape import ShapePanel
 from theditor.resources import gallery, version
-from theditor.spline import MAX_COORDINATE, Curve
+from theditor.spline import MAX_COORDINATE, Curve, Known, Mode
 
-FILE_FILTER = "theditor drawings (*.json);;All files (*)"
 COLUMN_WIDTH = 400
 
 
@@ -96,7 +98,6 @@ class MainWindow(QMainWindow):
         properties = add_dock(
             self, "Properties", "properties", scrolling_column(column, self.segments), right
         )
-        properties.setTitleBarWidget(QWidget())
         tabs = [
             add_dock(self, title, name, panel, bottom)
             for title, name, panel in (
@@ -157,6 +158,8 @@ class MainWindow(QMainWindow):
         bar = self.statusBar()
         bar.setSizeGripEnabled(False)
         self._position, self._over, self._zoom, self._hint = (QLabel() for _ in range(4))
+        self._announced = QTimer(self, singleShot=True, interval=8000)
+        self._announced.timeout.connect(lambda: self._over.setText(""))
         self._position.setProperty("role", "strong")
         self._position.setMinimumWidth(150)
         bar.addWidget(self._position)
@@ -170,7 +173,7 @@ class MainWindow(QMainWindow):
             linked.hovered.connect(self.canvas.show_place)
         self.curvature.comb_changed.connect(self._show_comb)
         for panel in (self.curves, self.curve, self.shape, self.segments, self.strip):
-            panel.announce.connect(lambda text: bar.showMessage(text, 8000))
+            panel.announce.connect(self.announce)
 
     def _follow(self) -> None:
         document, stack = self.document, self.document.undo_stack
@@ -184,7 +187,8 @@ class MainWindow(QMainWindow):
     # Showing what is the case
 
     def _show_title(self) -> None:
-        self.setWindowTitle(f"{self.document.title}[*] — theditor")
+        title = self.document.title.replace("[*]", "[*][*]")  # else Qt would put its mark there
+        self.setWindowTitle(f"{title}[*] — theditor")
         self.setWindowFilePath(str(self.document.path or ""))
         self._show_state()
 
@@ -197,9 +201,11 @@ class MainWindow(QMainWindow):
         ):
             action = self.actions_by_name[name]
             verb = name.capitalize()
-            action.setEnabled(can or (name == "undo" and not self.document.is_clean))
+            action.setEnabled(can or (name == "undo" and self.document.before is not None))
             action.setText(f"&{verb} {text}".rstrip())
             action.setIconText(verb)
+            keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+            action.setToolTip(f"{verb} {text}".rstrip() + f" ({keys})")
         editable = item is not None and not item.locked
         modes, many = ("trigonometric", "hyperbolic", "interpolating"), ("gradient", "smooth", "formula")
         for name in ("delete", "reverse", *modes, *many):
@@ -207,12 +213,24 @@ class MainWindow(QMainWindow):
         for name in ("duplicate", "select_all"):
             self.actions_by_name[name].setEnabled(item is not None)
 
+    def announce(self, text: str) -> None:
+        """Say something in the status line, until the pointer finds something else to say or some seconds pass."""
+        self._over.setText(text)
+        self._announced.start()
+
+    @property
+    def announced(self) -> str:
+        """What the status line says beside the pointer's position."""
+        return self._over.text()
+
     def _show_pointed(self, pointed: Pointed) -> None:
         position = pointed.position
         digits = 3 if pointed.scale < 1e4 else 6
         words = "" if position is None else f"x {position[0]:.{digits}f}   y {position[1]:.{digits}f}"
         self._position.setText(words.replace("-", "−"))
-        self._over.setText(pointed.over)
+        if pointed.over or not self._announced.isActive():
+            self._announced.stop()
+            self._over.setText(pointed.over)
         self._hint.setText(pointed.hint)
         self._zoom.setText(f"zoom {pointed.scale:.3g} px/unit")
         self.basis.show_place(pointed.u)
@@ -234,10 +252,10 @@ class MainWindow(QMainWindow):
     def open(self) -> None:
         """Ask for a file and open it."""
         if self.may_discard():
-            folder = str(self.document.path.parent) if self.document.path else ""
-            name, _ = QFileDialog.getOpenFileName(self, "Open a drawing", folder, FILE_FILTER)
-            if name:
-                self.open_path(Path(name))
+            path = self.document.path
+            chosen = ask.which_to_open(self, path.parent if path else None)
+            if chosen is not None:
+                self.open_path(chosen)
 
     def open_path(self, path: Path) -> bool:
         """Open a file; if it cannot be read, say why and keep the drawing."""
@@ -267,19 +285,25 @@ class MainWindow(QMainWindow):
 
     def save(self) -> bool:
         """Save to the document's file, or ask for one."""
+        self._settle()
         if self.document.path is None:
             return self.save_as()
         return self._save_to(self.document.path)
 
     def save_as(self) -> bool:
         """Ask for a file and save to it."""
-        self.document.settle()
+        self._settle()
         suggestion = self.document.path or Path(f"{self.document.title}.json")
-        name, _ = QFileDialog.getSaveFileName(self, "Save the drawing", str(suggestion), FILE_FILTER)
-        if not name:
-            return False
-        path = Path(name)
-        return self._save_to(path if path.suffix else path.with_suffix(".json"))
+        path = ask.where_to_save(self, suggestion)
+        return path is not None and self._save_to(path)
+
+    def _settle(self) -> None:
+        """Finish what is being typed or dragged: it belongs to the drawing that is saved or closed."""
+        editor = self.focusWidget()
+        if isinstance(editor, QLineEdit | QAbstractSpinBox):
+            editor.clearFocus()
+            editor.setFocus()
+        self.document.settle()
 
     def _save_to(self, path: Path) -> bool:
         try:
@@ -289,23 +313,16 @@ class MainWindow(QMainWindow):
             return False
         remember_file(path)
         self.messages.hide()
-        self.statusBar().showMessage(f"Saved {path}", 5000)
+        self.announce(f"Saved {path}")
         return True
 
     def may_discard(self) -> bool:
         """Whether the drawing may go: nothing is unsaved, or the user saved it or gave it up."""
-        self.document.settle()
+        self._settle()
         if self.document.is_clean:
             return True
-        buttons = QMessageBox.StandardButton
-        answer = QMessageBox.question(
-            self,
-            "Unsaved changes",
-            f"“{self.document.title}” has changes that are not saved. Save them?",
-            buttons.Save | buttons.Discard | buttons.Cancel,
-            buttons.Save,
-        )
-        return answer == buttons.Discard or (answer == buttons.Save and self.save())
+        answer, button = ask.whether_to_save(self, self.document.title), QMessageBox.StandardButton
+        return answer == button.Discard or (answer == button.Save and self.save())
 
     def _list_recent(self) -> None:
         self._recent.clear()
@@ -322,6 +339,13 @@ class MainWindow(QMainWindow):
         self.messages.tell(str(error))
 
     # Editing
+
+    def set_mode(self, mode: Mode) -> None:
+        """Give the λ that the λ panel acts on, else the segments, a mode."""
+        if self.selection.points:
+            self.shape.set_mode(mode)
+        else:
+            self.segments.set_mode(mode)
 
     def select_all(self) -> None:
         """Select every control point of the current curve."""
@@ -344,6 +368,10 @@ class MainWindow(QMainWindow):
         item = Item(Curve(points, ends="clamped"), name=f"Curve {number}")
         self.document.apply("Add curve", drawing.inserted(len(drawing), item))
         self.selection.select(curve=len(drawing))
+
+    def insert(self, known: Known) -> None:
+        """Ask for the parameters of a known curve and insert it."""
+        InsertDialog(known, self.document, self.selection, self.canvas.plane, self).open()
 
     def change_lambdas(self, dialog: LambdaDialog) -> None:
         """Ask how to change many λ at once, or say why none can be."""

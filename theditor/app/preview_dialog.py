@@ -75,8 +75,6 @@ class PreviewDialog(QDialog):
         layout.addWidget(heading(what, capitals=False))
         layout.addWidget(paragraph)
         layout.addLayout(self._fields)
-        layout.addWidget(self.sentence)
-        layout.addWidget(self.buttons)
 
     def add_field(self, text: str, field: QWidget, changed: SignalInstance) -> None:
         """Add a labelled field under those that are there; `changed` is its signal that asks for a new outcome."""
@@ -101,6 +99,11 @@ class PreviewDialog(QDialog):
 
     def open(self) -> None:
         """Show the dialog over the panels of its window, with the outcome of its first values."""
+        layout = self.layout()
+        assert layout is not None
+        # Only now, so that Tab comes to the buttons after the fields.
+        layout.addWidget(self.sentence)
+        layout.addWidget(self.buttons)
         self.refresh()
         self.move(self._window.mapToGlobal(QPoint(self._window.width() - _WIDTH, _FROM_TOP)))
         super().open()

@@ -66,7 +66,7 @@ class ShapePanel(QWidget):
         for mode, button in self.mode_buttons.items():
             button.setText(words.MODE_LETTERS[mode])
             button.setCheckable(True)
-            button.clicked.connect(lambda _=False, mode=mode: self._set_mode(mode))
+            button.clicked.connect(lambda _=False, mode=mode: self.set_mode(mode))
         self.link_button = QToolButton()
         self.link_button.setText("Link")
         self.link_button.setCheckable(True)
@@ -144,7 +144,8 @@ class ShapePanel(QWidget):
         model, linked = (self._document, self._selection), self._linked
         step_lambdas(*model, self._targets, count, fine=fine, linked=linked)
 
-    def _set_mode(self, mode: Mode) -> None:
+    def set_mode(self, mode: Mode) -> None:
+        """Give the λ that the controls act on the value of a mode."""
         if self._curve is not None:
             value = lambda_of(mode, self._curve.degree)
             set_lambdas(self._document, self._selection, self._targets, value)

@@ -1,0 +1,37 @@
+"""Questions about files: where to open, where to save, and whether unsaved changes may go."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+FILE_FILTER = "theditor drawings (*.json);;All files (*)"
+
+
+def which_to_open(parent: QWidget, folder: Path | None) -> Path | None:
+    """Ask for a file to open; None if the user thinks better of it."""
+    name, _ = QFileDialog.getOpenFileName(parent, "Open a drawing", str(folder or ""), FILE_FILTER)
+    return Path(name) if name else None
+
+
+def where_to_save(parent: QWidget, suggestion: Path) -> Path | None:
+    """Ask for a file to save to, completed by ``.json``; the dialog itself asks before one is replaced."""
+    dialog = QFileDialog(parent, "Save the drawing", str(suggestion.parent), FILE_FILTER)
+    dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+    dialog.setFileMode(QFileDialog.FileMode.AnyFile)
+    dialog.setDefaultSuffix("json")
+    dialog.selectFile(suggestion.name)
+    return Path(dialog.selectedFiles()[0]) if dialog.exec() else None
+
+
+def whether_to_save(parent: QWidget, title: str) -> QMessageBox.StandardButton:
+    """Ask what becomes of unsaved changes: ``Save``, ``Discard`` or ``Cancel``."""
+    buttons = QMessageBox.StandardButton
+    return QMessageBox.question(
+        parent,
+        "Unsaved changes",
+        f"“{title}” has changes that are not saved. Save them?",
+        buttons.Save | buttons.Discard | buttons.Cancel,
+        buttons.Save,
+    )

@@ -1,0 +1,190 @@
+"""Insert a known curve: its parameters in a small dialog, the curve itself already in the drawing."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent, QWheelEvent
+from PySide6.QtWidgets import QLineEdit, QWidget
+
+from theditor.app.preview_dialog import PreviewDialog
+from theditor.canvas.viewport import Viewport
+from theditor.drawing import Drawing, Item
+from theditor.model import Document, Selection, words
+from theditor.panels.parts import ComboBox, tabular
+from theditor.spline import MAX_COORDINATE, Known, Parameter
+
+_SHARE = 0.4
+"""How much of the view a new curve takes."""
+_PLACES = ("centre", "origin")
+_DEGREES = {2: "Quadratic · C¹", 3: "Cubic · C²"}
+_TURN = 15.0
+_ABOUT = "Its control points give it exactly, but for rounding. Arrow keys change a number by a step."
+
+
+class InsertDialog(PreviewDialog):
+    """Asks for the parameters of a known curve; the curve they make is the current one meanwhile.
+
+    Parameters
+    ----------
+    known
+        What to insert.
+    plane
+        The part of the plane in view: the first values make a curve that fits into its middle.
+    """
+
+    def __init__(
+        self, known: Known, document: Document, selection: Selection, plane: Viewport, parent: QWidget
+    ) -> None:
+        step = f"Insert {known.name.lower()}"
+        super().__init__(document, step, known.name, _ABOUT, self._outcome_of_fields, parent)
+        self._known, self._document, self._selection = known, document, selection
+        self._formerly = selection.curve, selection.points, selection.segments
+        self._place = len(document.drawing)
+        self._name = _free_name(known.name, document.drawing)
+        self.fields: dict[str, tuple[NumberEntry, ...]] = {}
+        start = fitting_values(known, plane)
+        for parameter in known.parameters:
+            values = start[parameter.keyword]
+            entries = tuple(NumberEntry(value, _step(parameter, plane), self) for value in values)
+            for label, entry in zip(parameter.labels, entries, strict=True):
+                entry.setAccessibleName(label)
+                shown = f"{label} (°)" if parameter.unit == "radians" else label
+                self.add_field(shown, entry, entry.textChanged)
+            self.fields[parameter.keyword] = entries
+        self.degree = ComboBox(self)
+        if len(known.degrees) > 1:
+            for degree in known.degrees:
+                self.degree.addItem(_DEGREES[degree], degree)
+            self.degree.setCurrentIndex(len(known.degrees) - 1)
+            self.add_field("Degree", self.degree, self.degree.currentIndexChanged)
+        else:
+            self.degree.hide()
+
+    def refresh(self) -> None:
+        """Show the curve that the fields describe as the current one, or say why there is none."""
+        super().refresh()
+        if len(self._document.drawing) > self._place:
+            self._selection.select(curve=self._place)
+
+    def done(self, result: int) -> None:
+        """Keep the curve, or select again what was selected before."""
+        super().done(result)
+        if result != self.DialogCode.Accepted:
+            curve, points, segments = self._formerly
+            self._selection.select(curve=curve, points=points, segments=segments)
+
+    def _outcome_of_fields(self, before: Drawing) -> Drawing:
+        arguments: dict[str, Any] = {p.keyword: self._value(p) for p in self._known.parameters}
+        if len(self._known.degrees) > 1:
+            arguments["degree"] = self.degree.currentData()
+        return before.inserted(len(before), Item(self._known.make(**arguments), self._name))
+
+    def _value(self, parameter: Parameter) -> float | int | tuple[float, ...]:
+        """Return what the fields of a parameter say, as the function that makes the curve takes it."""
+        numbers = []
+        for label, entry in zip(parameter.labels, self.fields[parameter.keyword], strict=True):
+            number = entry.number()
+            if number is None:
+                raise ValueError(f"{label}: “{entry.text()}” is no number; type one such as 1.5.")
+            numbers.append(number)
+        if parameter.integer:
+            (number,), low, high = numbers, int(parameter.minimum), int(parameter.maximum)
+            if number != round(number) or not low <= number <= high:
+                raise ValueError(f"{parameter.labels[0]}: type a whole number from {low} to {high}.")
+            return round(number)
+        if parameter.unit == "radians":
+            numbers = [math.radians(number) for number in numbers]
+        return numbers[0] if len(numbers) == 1 else tuple(numbers)
+
+
+class NumberEntry(QLineEdit):
+    """A line for a number, with decimal point or comma; arrow keys and wheel change it by a step."""
+
+    def __init__(self, value: float, step: float, parent: QWidget | None = None) -> None:
+        super().__init__(words.exact(value), parent)
+        self._step = step
+        self.setFont(tabular(self.font()))
+
+    def number(self) -> float | None:
+        """Return the number that the text means, None if it means none."""
+        try:
+            number = float(self.text().strip().replace(",", ".").replace("−", "-"))
+        except ValueError:
+            return None
+        return number if math.isfinite(number) else None
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Step by the arrow keys."""
+        steps = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}.get(Qt.Key(event.key()))
+        if steps is None:
+            super().keyPressEvent(event)
+        else:
+            self._change(steps)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Step by the wheel, while the line has the focus."""
+        if self.hasFocus() and event.angleDelta().y():
+            self._change(1 if event.angleDelta().y() > 0 else -1)
+        else:
+            event.ignore()
+
+    def _change(self, steps: int) -> None:
+        number = self.number()
+        if number is not None:
+            self.setText(words.exact(_rounded(number + steps * self._step)))
+
+
+def fitting_values(known: Known, plane: Viewport) -> dict[str, tuple[float, ...]]:
+    """Return values, angles in degrees, that put a known curve of a fair size into the middle of the view.
+
+    The sizes are the curve's own defaults times 1, 2 or 5 times a power of ten.
+    """
+    points = known.make().sample(16)[:, :2]
+    low, high = points.min(axis=0), points.max(axis=0)
+    view = np.array([plane.width, plane.height]) / plane.scale
+    factor = _round_number(float(np.min(_SHARE * view / (high - low))))
+    grid = _round_number(float(view.min()) / 50)
+    middle = np.array([plane.x, plane.y]).clip(-MAX_COORDINATE / 2, MAX_COORDINATE / 2)
+    place = np.round((middle - factor * (low + high) / 2) / grid) * grid
+    values: dict[str, tuple[float, ...]] = {}
+    for parameter in known.parameters:
+        default = np.atleast_1d(np.asarray(parameter.default, dtype=np.float64))
+        if parameter.keyword in _PLACES:
+            default[:2] = place
+        elif parameter.unit == "":
+            default = default * factor
+        elif parameter.unit == "radians":
+            default = np.degrees(default)
+        values[parameter.keyword] = tuple(_rounded(value) for value in default.tolist())
+    return values
+
+
+def _step(parameter: Parameter, plane: Viewport) -> float:
+    if parameter.integer:
+        return 1.0
+    if parameter.unit == "radians":
+        return _TURN
+    return 0.5 if parameter.unit else _round_number(min(plane.width, plane.height) / plane.scale / 50)
+
+
+def _round_number(value: float) -> float:
+    """Return 1, 2 or 5 times a power of ten, the closest by ratio."""
+    power = math.floor(math.log10(value))
+    ratio = value / 10.0**power
+    return min((1, 2, 5, 10), key=lambda digit: abs(math.log(ratio / digit))) * 10.0**power
+
+
+def _rounded(value: float) -> float:
+    """Drop the rounding of sums and products of short numbers."""
+    return float(f"{value:.12g}") + 0.0
+
+
+def _free_name(name: str, drawing: Drawing) -> str:
+    """Return a name that no curve has: the given one, or with a number."""
+    taken = {item.name for item in drawing}
+    numbered = (f"{name} {number}" for number in range(2, len(taken) + 3))
+    return name if name not in taken else next(each for each in numbered if each not in taken)
