@@ -162,12 +162,22 @@ QToolButton[segment="right"] { border-top-left-radius: 0; border-bottom-left-rad
 QPushButton { min-width: 56px; }
 QListView, QTableView { background: $panel; color: $text; border: none; outline: none; }
 QListView::item:selected { background: $selection; color: $accent_text; }
-QTabBar { background: $panel; }
+QTableView::item { padding: 0 7px; }
+QTableView::item:selected { background: $selection; color: $accent_text; }
+QHeaderView { background: $panel; border: none; }
+QHeaderView::section {
+    background: $panel; color: $secondary; border: none; border-bottom: 1px solid $border; padding: 4px 7px;
+}
+QTabBar { background: $panel; qproperty-drawBase: 0; }
 QTabBar::tab {
     background: $panel; color: $secondary; padding: 8px 12px; border: none; border-bottom: 2px solid $border;
 }
 QTabBar::tab:selected { color: $text; border-bottom: 2px solid $accent; font-weight: 600; }
 QTabBar::tab:hover { color: $text; }
+QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: $border; }
+QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: $accent; }
+QSlider::handle:horizontal { background: $accent; width: 12px; margin: -4px 0; border-radius: 6px; }
+QSlider::handle:horizontal:focus, QSlider::handle:horizontal:hover { background: $accent_text; }
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
 QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
 QScrollBar::handle { background: $border; border-radius: 3px; margin: 2px; min-width: 24px; min-height: 24px; }
