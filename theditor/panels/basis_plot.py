@@ -139,7 +139,7 @@ def _paint_names(painter: QPainter, shown: SegmentBasis, plot: Plot, font: QFont
     metrics = QFontMetricsF(font)
     ground = QColor(colours.panel)
     ground.setAlpha(180)
-    places = np.linspace(0.04, 0.96, shown.curve.degree + 1)
+    places = np.array([0.04, 0.5, 0.96] if shown.curve.degree == 2 else [0.04, 0.2, 0.8, 0.96])
     for k, (name, t) in enumerate(zip(shown.names, places.tolist(), strict=True)):
         x, y = float(plot.pixel_x(t)), float(plot.pixel_y(shown.weights(t)[k]))
         above = y - metrics.descent() - 3

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QEvent, QItemSelectionModel, QModelIndex, QObject, QSize, Signal
+from PySide6.QtCore import QEvent, QItemSelectionModel, QModelIndex, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QTableView, QVBoxLayout, QWidget
 
@@ -17,7 +17,7 @@ EMPTY = "There is no curve yet."
 MOST_LIVE = 5000
 """Longer curves, in segments, are measured when the hand lets go of them."""
 _ROW_HEIGHT = 24
-_WIDTHS = (64, 190, 92, 80, 80, 80, 92, 160)
+_WIDTHS = (50, 116, 80, 58, 58, 58, 80, 76)
 _TIP = "Every joint, measured from both sides. Select one to select what shapes it and see it on the canvas."
 
 
@@ -30,6 +30,7 @@ class ContinuityPanel(QWidget):
 
     def __init__(self, document: Document, selection: Selection, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._document, self._selection = document, selection
         self._curve: Curve | None = None
         self._following = False
@@ -41,7 +42,10 @@ class ContinuityPanel(QWidget):
         layout.setContentsMargins(0, 8, 0, 0)
         layout.setSpacing(6)
         layout.addWidget(self.heading)
-        layout.addWidget(self.table)
+        rows = QVBoxLayout()
+        rows.setContentsMargins(8, 0, 0, 0)
+        rows.addWidget(self.table)
+        layout.addLayout(rows)
 
         for watched in (self.table, self.table.viewport()):
             watched.installEventFilter(self)

@@ -31,7 +31,7 @@ def _promise(joint: JointReport) -> str:
     promised = _order("C", joint.promised)
     if not joint.holds:
         return f"✗ {promised} fails"
-    return f"✓ {promised}" + (" · stands still" if joint.note else "")
+    return f"✓ {promised}" + (", still" if joint.note else "")
 
 
 def _curvature(joint: JointReport) -> str:

@@ -202,6 +202,7 @@ class CurvaturePanel(QWidget):
 
     def __init__(self, document: Document, selection: Selection, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.plot = CurvaturePlot(document, selection)
         self.text = Paragraph()
         self.text.setAccessibleName("Curvature at the marker")

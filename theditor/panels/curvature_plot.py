@@ -51,7 +51,7 @@ def plot_of(shown: Profile, width: float, height: float) -> tuple[Plot, list[flo
     low, high = shown.range()
     room = 0.06 * (high - low)
     y, ticks_y = round_range(low - room if low < 0 else 0.0, high + room, max(2, int(area.height() / 24)))
-    step = round_step(shown.total, max(2, int(area.width() / 80)))
+    step = round_step(shown.total, max(2, int(area.width() / 64)))
     ticks_x = np.arange(int(shown.total / step + 1e-9) + 1) * step
     return Plot(area, (0.0, shown.total), y), ticks_x.tolist(), ticks_y.tolist()
 
