@@ -52,6 +52,7 @@ def scrolling_column(panels: Iterable[QWidget], stretching: QWidget) -> QScrollA
     scroll = QScrollArea()
     scroll.setWidgetResizable(True)
     scroll.setFrameShape(QFrame.Shape.NoFrame)
+    scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     scroll.setWidget(column)
     bar = scroll.verticalScrollBar().sizeHint().width()

@@ -57,9 +57,10 @@ class GalleryDialog(QDialog):
 
         colours, ratio = colours_for(self.palette()), self.devicePixelRatioF()
         for picture in gallery():
-            item = QListWidgetItem(
-                QIcon(thumbnail(load(picture.path), PICTURE, ratio, colours)), picture.title
-            )
+            pixmap = thumbnail(load(picture.path), PICTURE, ratio, colours)
+            icon = QIcon(pixmap)
+            icon.addPixmap(pixmap, QIcon.Mode.Selected)  # colours mean modes: no tint when selected
+            item = QListWidgetItem(icon, picture.title)
             item.setData(Qt.ItemDataRole.UserRole, picture)
             item.setToolTip(picture.about)
             self._list.addItem(item)

@@ -150,17 +150,22 @@ QPushButton, QToolButton {
     background: $canvas; color: $text; border: 1px solid $border; border-radius: 6px; min-height: 24px; padding: 0 10px;
 }
 QToolBar QToolButton { min-height: 18px; }
+QFileDialog QToolButton { padding: 3px; }
+* { dialogbuttonbox-buttons-have-icons: 0; }
 QPushButton:hover, QToolButton:hover { border-color: $secondary; }
 QPushButton:pressed, QToolButton:pressed { background: $selection; }
 QPushButton:focus, QToolButton:focus { border-color: $accent; }
 QPushButton:checked, QToolButton:checked { background: $accent; color: $on_accent; border-color: $accent; }
+QToolButton:checked:focus, QPushButton:checked:focus { border-color: $text; }
 QPushButton:disabled, QToolButton:disabled { color: $faded; background: $panel; }
 QPushButton:default { border-color: $accent; }
 QToolButton[segment="left"] { border-top-right-radius: 0; border-bottom-right-radius: 0; border-right: none; }
 QToolButton[segment="middle"] { border-radius: 0; }
 QToolButton[segment="right"] { border-top-left-radius: 0; border-bottom-left-radius: 0; border-left: none; }
 QPushButton { min-width: 56px; }
-QListView, QTableView { background: $panel; color: $text; border: none; outline: none; }
+QListView, QTableView { background: $panel; color: $text; border: 1px solid $panel; outline: none; }
+LambdaStrip { border: 1px solid $panel; }
+QListView:focus, QTableView:focus, LambdaStrip:focus { border-color: $accent; }
 QListView::item:selected { background: $selection; color: $accent_text; }
 QTableView::item { padding: 0 7px; }
 QTableView::item:selected { background: $selection; color: $accent_text; }

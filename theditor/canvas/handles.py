@@ -22,6 +22,8 @@ Ints = NDArray[np.intp]
 
 TICK = 5.5
 """Half the length in pixels of the tick across the curve at a joint."""
+HIDDEN = 6.0
+"""A joint this near to its control point's handle, in pixels, lies under it."""
 LEAST_JOINT_SPACING = 12.0
 """Joints nearer to each other than this many pixels are not marked."""
 CELL = 4.0
@@ -57,6 +59,9 @@ def paint_joints(painter: QPainter, curve: Curve, viewport: Viewport, colours: C
     spacing = np.hypot(*np.diff(pixels[visible], axis=0).T)
     if len(spacing) and np.median(spacing) < LEAST_JOINT_SPACING:
         return
+    own = (visible + curve.first_segment) % len(curve.control_points)
+    handles = viewport.to_pixels(curve.control_points[own])
+    visible = visible[np.hypot(*(pixels[visible] - handles).T) > HIDDEN]
     across = _normals(curve, visible) * TICK
     painter.setPen(QPen(QColor(colours.text), 1.5))
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)

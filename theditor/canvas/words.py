@@ -16,7 +16,8 @@ from theditor.spline.curvature import curvature
 def describe(hit: Hit, drawing: Drawing, current: int) -> str:
     """What is under the pointer, in the numbers of the paper."""
     if isinstance(hit, PointHit):
-        return f"over control point {indexed('P', hit.index)}"
+        height = drawing[current].curve.control_points[hit.index, 2:]
+        return f"over control point {indexed('P', hit.index)}" + "".join(f" at z = {z:.4g}" for z in height)
     if isinstance(hit, JointHit):
         return f"over the joint at {indexed('P', hit.point)}: it slides with {indexed('λ', hit.point)}"
     if isinstance(hit, MiddleHit):

@@ -149,8 +149,7 @@ def _item(source: _Curve, path: str) -> Item:
             )
     if len(lambdas) != len(points):
         raise DrawingError(
-            f"{path}.lambda must have one number per point, "
-            f"but there are {len(points)} points and {len(lambdas)} numbers."
+            f"{path}.lambda must have one number per point, but {len(points)} points have {len(lambdas)} λ."
         )
     curve = Curve(points, lambdas, source.degree, source.closed, source.ends)
     style = source.style

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QStandardItemModel
+from PySide6.QtGui import QColor, QIcon, QKeyEvent, QKeySequence, QPainter, QPen, QPixmap, QStandardItemModel
 from PySide6.QtWidgets import QColorDialog, QGridLayout, QLabel, QLineEdit, QToolButton, QWidget
 
 from theditor.drawing import DrawingError, Item
@@ -34,6 +34,19 @@ _ENDS = (
 )
 
 
+class _NameField(QLineEdit):
+    """A line of text that leaves undo and redo to the document while nothing is being typed."""
+
+    def event(self, event: QEvent) -> bool:
+        """Claim undo and redo only for what was typed here."""
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            keys = QKeySequence.StandardKey
+            if not self.isModified() and (event.matches(keys.Undo) or event.matches(keys.Redo)):
+                event.ignore()
+                return False
+        return super().event(event)
+
+
 class CurvePanel(QWidget):
     """Shows and edits what the current curve is as a whole."""
 
@@ -46,7 +59,7 @@ class CurvePanel(QWidget):
         self._item: Item | None = None
         self._shown_kind: object = None
 
-        self.name = QLineEdit()
+        self.name = _NameField()
         self.name.setMaxLength(NAME_LENGTH)
         self.degree = ComboBox()
         self.degree.addItems(list(_DEGREES.values()))
@@ -99,6 +112,7 @@ class CurvePanel(QWidget):
         self.width_field.refused.connect(self.announce)
         document.changed.connect(self._follow)
         selection.changed.connect(self._follow)
+        self._show_guard()
         self._follow()
 
     # Edits
@@ -111,6 +125,7 @@ class CurvePanel(QWidget):
             self._set_style("Rename curve", name=self.name.text())
         except DrawingError as error:
             self.name.setText(item.name)
+            self.name.setCursorPosition(0)
             self.announce.emit(str(error))
 
     def _set_style(self, text: str, merge: object = None, **changes: Any) -> None:

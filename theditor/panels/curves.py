@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
@@ -151,6 +153,6 @@ def _button(text: str, name: str, tip: str) -> QToolButton:
 
 
 def _copy_name(name: str, taken: set[str]) -> str:
-    stem = f"{name[: NAME_LENGTH - 12]} copy"
+    stem = re.sub(r" copy( \d+)?$", "", name[: NAME_LENGTH - 12]) + " copy"
     candidates = (stem if i == 1 else f"{stem} {i}" for i in range(1, len(taken) + 2))
     return next(candidate for candidate in candidates if candidate not in taken)

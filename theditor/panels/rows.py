@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtGui import QColor, QPainter, QPen, QResizeEvent
 from PySide6.QtWidgets import QListView, QWidget
 
 from theditor.model import Colours
@@ -37,6 +37,13 @@ class RowList(QListView):
         """Repaint in the new colours."""
         super().changeEvent(event)
         self.viewport().update()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the current row in sight when the list shrinks."""
+        super().resizeEvent(event)
+        current = self.currentIndex()
+        if current.isValid() and self.selectionModel().isSelected(current):
+            self.scrollTo(current)
 
     def _height(self, rows: int) -> int:
         return rows * ROW_HEIGHT + 2 * self.frameWidth()

@@ -54,7 +54,7 @@ def lambda_of(mode: Mode, degree: int) -> float:
     Raises
     ------
     ValueError
-        For ``Mode.BLEND``, which no single λ stands for, and for a degree other than 2 and 3.
+        For ``Mode.BLEND``, which no single λ stands for, for what is no mode, and for a degree other than 2 and 3.
     """
     check_degree(degree)
     if mode is Mode.TRIGONOMETRIC:
@@ -63,7 +63,9 @@ def lambda_of(mode: Mode, degree: int) -> float:
         return 1.0
     if mode is Mode.INTERPOLATING:
         return INTERPOLATING[degree]
-    raise ValueError("a blend has no λ of its own: choose trigonometric, hyperbolic or interpolating")
+    if mode is Mode.BLEND:
+        raise ValueError("a blend has no λ of its own: choose trigonometric, hyperbolic or interpolating")
+    raise ValueError(f"mode must be a Mode such as Mode.HYPERBOLIC, not {mode!r}")
 
 
 def mode_of(lambda_start: float, lambda_end: float, degree: int) -> Mode:

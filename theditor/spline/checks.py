@@ -63,6 +63,8 @@ def clean_points(points: ArrayLike) -> Floats:
 def clean_values(values: ArrayLike, what: str, shape: tuple[int, ...]) -> Floats:
     """Return new values for part of a curve, broadcast to `shape`."""
     numbers = _numbers(values, what)
+    if numbers.size == 0 and 0 in shape:
+        return np.empty(shape)
     try:
         return np.broadcast_to(numbers, shape)
     except ValueError:

@@ -145,6 +145,8 @@ class Curve:
         ValueError
             If there is no such segment.
         """
+        if np.ndim(segment) != 0:
+            raise ValueError(f"give one segment, not an array of shape {np.shape(segment)}")
         (index,) = checks.clean_indices(segment, self.segment_count, "segment")
         pair = ((int(index) + self.first_segment + step) % len(self.control_points) for step in (0, 1))
         start, end = (i if self.active_lambdas[i] else None for i in pair)

@@ -40,7 +40,7 @@ def sample(curve: "Curve", per_segment: int, out: Floats | None = None) -> Float
     shape = curve.dimension, count * int(per_segment) + 1
     if out is None:
         out = np.empty(shape)
-    elif (
+    elif not isinstance(out, np.ndarray) or (
         out.shape != shape or out.dtype != np.float64 or not (out.flags.c_contiguous and out.flags.writeable)
     ):
         raise ValueError(f"out must be a writeable C-contiguous float64 array of shape {shape}")
