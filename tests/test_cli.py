@@ -1,15 +1,16 @@
 import os
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 from types import ModuleType
 
 import pytest
 
-from theditor import resources
+from theditor import cli, resources
 from theditor.cli import main
 from theditor.drawing import Drawing, Item, save
-from theditor.spline import Curve, Mode
+from theditor.spline import JOINT_SLOPE_ZERO, Curve, Mode, continuity
 
 GALLERY = resources.resource("gallery")
 FIGURE_10 = GALLERY / "figure-10.json"
@@ -36,9 +37,12 @@ def test_check_says_what_is_in_a_file(capsys, tmp_path):
         f"{FIGURE_10}: 1 curve\n"
         "  Figure 10: cubic, open with free ends, 13 points, 10 segments; segments 1 trigonometric, 2 blend, "
         "3 interpolating, 4 blend, 5–7 hyperbolic, 8–9 blend, 10 trigonometric\n"
+        "    9 joints, all C² as promised (largest jump 0)\n"
         f"{tmp_path / 'two.json'}: 2 curves\n"
         "  Ring: quadratic, closed, 4 points, 4 segments; all hyperbolic\n"
+        "    4 joints, all C¹ as promised (largest jump 0); the curvature jumps at 2\n"
         "  Strut: cubic, open with clamped ends, in space, 2 points, 1 segment; blend\n"
+        "    no joints: the curve is one segment\n"
         f"{tmp_path / 'none.json'}: 0 curves\n"
     )
 
@@ -47,7 +51,30 @@ def test_check_counts_modes_that_would_make_a_long_list(capsys, tmp_path):
     curve = Curve([[i, i % 3] for i in range(103)]).with_mode(range(0, 100, 5), Mode.HYPERBOLIC)
     save(Drawing([Item(curve)]), tmp_path / "long.json")
     assert main(["check", str(tmp_path / "long.json")]) == 0
-    assert capsys.readouterr().out.endswith("100 segments; 41 trigonometric, 20 hyperbolic, 39 blend\n")
+    assert "100 segments; 41 trigonometric, 20 hyperbolic, 39 blend\n" in capsys.readouterr().out
+
+
+def test_check_tells_where_a_curve_stands_still_and_that_this_breaks_no_promise(capsys, tmp_path):
+    curve = Curve([[0, 0], [1, 2], [3, 2], [4, 0]], JOINT_SLOPE_ZERO, degree=2)
+    save(Drawing([Item(curve)]), tmp_path / "still.json")
+    assert main(["check", str(tmp_path / "still.json")]) == 0
+    certificate, joint = capsys.readouterr().out.splitlines()[2:]
+    assert certificate.startswith("    1 joint, C¹ as promised")
+    assert certificate.endswith("the curve stands still at 1")
+    assert joint.startswith("    Joint 2 at (2, 2): C¹; the promised C¹ holds. The curve stands still here")
+
+
+def test_check_names_every_joint_that_breaks_its_promise_and_ends_with_1(capsys, tmp_path, monkeypatch):
+    # With no room for rounding, the measured jumps themselves break the promise.
+    monkeypatch.setattr(cli, "continuity", partial(continuity, tolerance=0.0))
+    rounded = Curve([[0.1, 0.2], [1.3, 2.7], [3.1, 2.3], [4.7, 0.6], [5.9, 1.1], [7.3, 0.3]], 0.3)
+    save(Drawing([Item(rounded)]), tmp_path / "rounded.json")
+    broken = [joint for joint in continuity(rounded, tolerance=0.0) if not joint.holds]
+    assert broken, "these points are chosen so that rounding shows"
+    assert main(["check", str(tmp_path / "rounded.json"), str(FIGURE_10)]) == 1
+    out = capsys.readouterr().out
+    assert f"    {len(broken)} of 2 joints" in out
+    assert [line.strip() for line in out.splitlines() if "fails: " in line] == [str(j) for j in broken]
 
 
 def test_check_says_what_is_wrong_and_goes_on(capsys, tmp_path):

@@ -11,7 +11,8 @@ from pathlib import Path
 
 from theditor.drawing import DrawingError, Item, load, shown
 from theditor.resources import version
-from theditor.spline import Curve, Mode
+from theditor.spline import Curve, Mode, continuity
+from theditor.spline.certificate import remarkable, summary
 
 _DEBIAN_PACKAGES = (
     "libgl1 libegl1 libxkbcommon0 libdbus-1-3 libfontconfig1 libglib2.0-0 fonts-dejavu-core "
@@ -25,8 +26,8 @@ _MOST_RUNS = 20
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command with these arguments, else those of the process, and return its exit code.
 
-    0: done; 1: a file is not a drawing, or no window can be opened; 2 (as SystemExit): wrong usage. Qt is
-    imported only to open the window.
+    0: done; 1: a file is not a drawing, a curve breaks a promise of the theory, or no window can be opened;
+    2 (as SystemExit): wrong usage. Qt is imported only to open the window.
     """
     arguments = list(sys.argv[1:] if argv is None else argv)
     for stream in (sys.stdout, sys.stderr):
@@ -82,8 +83,9 @@ def _fail(sentence: str) -> int:
 def _check(arguments: Sequence[str]) -> int:
     parser = argparse.ArgumentParser(
         prog="theditor check",
-        description="Say what is in each drawing, or what is wrong with it.",
-        epilog="The exit code is 0 if every file is a drawing, else 1.",
+        description="Say what is in each drawing and how smoothly its segments meet, or what is wrong with it.",
+        epilog="The exit code is 0 if every file is a drawing whose joints are as smooth as the theory promises, "
+        "else 1.",
     )
     parser.add_argument("files", metavar="FILE", nargs="+", type=Path, help="drawings to read")
     code = 0
@@ -97,7 +99,17 @@ def _check(arguments: Sequence[str]) -> int:
             print(f"{shown(path)}: {_count(len(drawing), 'curve')}")
             for item in drawing:
                 print(f"  {_described(item)}")
+                code |= _certify(item.curve)
     return code
+
+
+def _certify(curve: Curve) -> int:
+    """Print how smoothly segments meet, joints that call for a remark one by one; return 1 if a promise fails."""
+    report = continuity(curve)
+    print(f"    {summary(report)}")
+    for joint in remarkable(report):
+        print(f"    {joint}")
+    return int(not report.holds.all())
 
 
 def _described(item: Item) -> str:

@@ -1,8 +1,10 @@
 """The continuity of a whole curve in one sentence."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
-from theditor.spline.continuity import Continuity
+from theditor.spline.continuity import Continuity, JointReport
 
 _POWERS = "⁰¹²"
 
@@ -32,6 +34,11 @@ def summary(report: Continuity) -> str:
     if jumping:
         parts.append(f"the curvature jumps at {jumping}")
     return "; ".join(parts)
+
+
+def remarkable(report: Continuity) -> Iterator[JointReport]:
+    """Yield the joints where a promise fails or the curve stands still."""
+    return (report[row] for row in np.flatnonzero(report.still | ~report.holds).tolist())
 
 
 def joints(count: int) -> str:
