@@ -44,6 +44,7 @@ class BasisPanel(QWidget):
         document.changed.connect(self._follow)
         selection.changed.connect(self._follow)
         self._follow()
+        self._show()
 
     def sizeHint(self) -> QSize:
         """Room for the plot and the bars."""
@@ -78,12 +79,8 @@ class BasisPanel(QWidget):
         if self._segments and self._pointed not in self._segments:
             chosen = min(self._segments)
         shown = SegmentBasis(self._curve, chosen) if self._curve is not None and chosen is not None else None
-        old, self.shown = self.shown, shown
-        if (old is None) is not (shown is None) or (
-            old is not None
-            and shown is not None
-            and (old.segment != shown.segment or old.curve is not shown.curve)
-        ):
+        if shown != self.shown:
+            self.shown = shown
             self._show()
 
     def _set_t(self, t: float) -> None:

@@ -14,7 +14,7 @@ from theditor.model import Colours
 from theditor.model.words import indexed, listed
 from theditor.panels.parts import small_font, tabular
 from theditor.panels.plot import Plot, paint_axes, round_range
-from theditor.spline import Curve, Mode, basis
+from theditor.spline import Curve, Mode, basis, negative_basis
 
 Floats = NDArray[np.float64]
 
@@ -58,8 +58,9 @@ class SegmentBasis:
 
     def negative(self) -> list[str]:
         """Names of the functions that are negative somewhere."""
-        low = self.weights(_T).min(axis=0)
-        return [name for name, least in zip(self.names, low.tolist(), strict=True) if least < -1e-12]
+        degree = self.curve.degree
+        alike = Curve(np.zeros((degree + 1, 2)), (0.0, *self.lambdas, 0.0)[: degree + 1], degree)
+        return [self.names[k] for k in negative_basis(alike).functions.tolist()]
 
     def title(self) -> str:
         """Name the segment and its mode, and what is negative."""
