@@ -33,6 +33,7 @@ class BasisPanel(QWidget):
     def __init__(self, document: Document, selection: Selection, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._selection = selection
+        self._index = selection.curve
         self._curve: Curve | None = None
         self._segments: frozenset[int] = frozenset()
         self._pointed: int | None = None
@@ -68,8 +69,10 @@ class BasisPanel(QWidget):
         item, segments = self._selection.item, self._selection.segments
         curve = item.curve if item is not None else None
         if curve is not self._curve or segments != self._segments:
-            if curve is None or (self._pointed or 0) >= curve.segment_count:
+            another = self._selection.curve != self._index
+            if curve is None or another or (self._pointed or 0) >= curve.segment_count:
                 self._pointed = None
+            self._index = self._selection.curve
             self._curve, self._segments = curve, segments
             self._choose()
 

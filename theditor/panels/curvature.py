@@ -37,6 +37,7 @@ class CurvaturePlot(QWidget):
     def __init__(self, document: Document, selection: Selection, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document, self._selection = document, selection
+        self._index = selection.curve
         self._curve: Curve | None = None
         self._segments: frozenset[int] = frozenset()
         self._profile: Profile | None = None
@@ -90,9 +91,11 @@ class CurvaturePlot(QWidget):
         item, segments = self._selection.item, self._selection.segments
         curve = item.curve if item is not None else None
         if curve is not self._curve or segments != self._segments:
-            self._curve, self._segments = curve, segments
-            if self.place is not None and (curve is None or self.place > curve.segment_count):
+            another = self._selection.curve != self._index
+            if curve is None or another or (self.place or 0.0) > curve.segment_count:
                 self.place = None
+            self._index = self._selection.curve
+            self._curve, self._segments = curve, segments
             self._show()
 
     def _show(self) -> None:
