@@ -278,3 +278,19 @@ def test_nothing_is_clipped_in_a_small_window(window, qtbot):
     assert window.width() == 1024
     for widget in (window.canvas, window.strip, window.shape, window.curve):
         assert widget.width() >= widget.minimumSizeHint().width()
+
+
+def test_an_error_while_painting_or_resizing_is_told_and_the_window_lives_on(
+    window, hand, monkeypatch, qtbot
+):
+    told = []
+    monkeypatch.setattr(sys, "excepthook", lambda kind, error, trace: told.append(kind))
+    with monkeypatch.context() as broken:
+        broken.setattr("theditor.canvas.picture.paint_grid", lambda *_: ()[0])  # an error raised in C
+        broken.setattr("theditor.canvas.canvas.fitted", lambda *_: int("no number"))
+        window.canvas.grab()
+        window.resize(window.width() - 10, window.height())
+        window.canvas.grab()
+    assert set(told) == {IndexError, ValueError}
+    hand.drag(P5, (1.4, 2.0))
+    assert curve(window).control_points[5] == pytest.approx([1.4, 2.0])

@@ -92,7 +92,7 @@ def test_what_is_left_out_has_its_default():
         (
             "0.5]",
             "0.5, 1]",
-            "curves[0].lambda must have one number per point, but there are 3 points and 4 numbers.",
+            "curves[0].lambda must have one number per point, but 3 points have 4 λ.",
         ),
         (
             "[1, 2], ",
