@@ -93,8 +93,8 @@ def _paint_segments(
     painter: QPainter, shown: Profile, plot: Plot, segments: Iterable[int], colours: Colours
 ) -> None:
     chosen = np.fromiter(segments, dtype=np.intp)
-    left, right = plot.pixel_x(shown.joints[chosen]), plot.pixel_x(shown.joints[chosen + 1])
-    for a, b in {(round(a), round(b)) for a, b in zip(left.tolist(), right.tolist(), strict=True)}:
+    ends = np.stack([plot.pixel_x(shown.joints[chosen]), plot.pixel_x(shown.joints[chosen + 1])], axis=1)
+    for a, b in np.unique(ends.round(), axis=0).tolist():
         band = QRectF(a, plot.area.top(), max(b - a, 1), plot.area.height())
         painter.fillRect(band, QColor(colours.selection))
 
