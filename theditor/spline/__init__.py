@@ -13,6 +13,7 @@ from theditor.spline.basis import (
 from theditor.spline.catalogue import KNOWN, Known, Parameter
 from theditor.spline.checks import MAX_COORDINATE, MAX_LAMBDA, fewest_points
 from theditor.spline.continuity import Continuity, JointReport, continuity
+from theditor.spline.crossings import intersections, self_intersections
 from theditor.spline.curvature import bending_energy, curvature, osculating_circle
 from theditor.spline.curve import Curve, Ends
 from theditor.spline.formula import FormulaError
@@ -76,6 +77,7 @@ __all__ = [
     "gradient",
     "hull",
     "inflections",
+    "intersections",
     "intervals_for",
     "joint_track",
     "known",
@@ -95,6 +97,7 @@ __all__ = [
     "reversed_joints",
     "sample_adaptively",
     "segment_bounds",
+    "self_intersections",
     "shifted",
     "smoothed",
     "uniform_b_spline_samples",

@@ -22,7 +22,7 @@ from theditor.spline.basis import Floats
 APART, FOLLOWING, SAME = 0, 1, 2  # how the two parts of a pair lie on one curve
 
 _DEEPEST = 40  # halvings
-_MOST = 60_000  # pairs open at a time, beside four for each at first
+_MOST = 8_000  # pairs open at a time, beside four for each at first
 _STEPS = 12  # of Newton's method
 _EDGE = 1e-9  # how far outside its part, in t, a crossing may be found
 
@@ -33,7 +33,7 @@ class Contacts(NamedTuple):
     row: NDArray[np.intp]  # (k,)
     s: Floats  # (k,)
     t: Floats  # (k,)
-    width: Floats  # (k,) half the width, in s and t, of the parts that are not told apart here; 0: a crossing
+    width: Floats  # (k,) of the parts, in s and t, that are not told apart here; 0: a crossing
     gap: Floats  # (k,) distance of the two points
     own: NDArray[np.bool_]  # (k,) where a curve turns back on itself: no contact, but its cause
 
@@ -107,7 +107,7 @@ def contacts(
         own = rest.kind != APART
         near = own | (gap <= tolerance)
         found.append(
-            Contacts(rest.row[near], s[near], t[near], np.full(near.sum(), width / 2), gap[near], own[near])
+            Contacts(rest.row[near], s[near], t[near], np.full(np.count_nonzero(near), width), gap[near], own[near])
         )
         pairs = _halved(pairs.take(~done), width / 2)
         if not len(pairs.row):

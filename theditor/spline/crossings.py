@@ -11,6 +11,8 @@ from theditor.spline.meetings import Boxes, meeting_boxes
 from theditor.spline.merging import merged
 from theditor.spline.parameters import check_accuracy, check_plane
 
+_FINEST = 1e-14  # accuracies beyond rounding are of no use
+
 
 def self_intersections(curve: Curve, accuracy: float = 1e-9) -> Floats:
     """Return where a plane curve meets itself.
@@ -76,7 +78,7 @@ def intersections(a: Curve, b: Curve, accuracy: float = 1e-9) -> Floats:
 def _found(a: Curve, b: Curve, same: bool, accuracy: float) -> Floats:
     points = np.concatenate((a.control_points, b.control_points))
     low, high = points.min(axis=0), points.max(axis=0)
-    tolerance = accuracy * float((high - low).max())
+    tolerance = max(accuracy, _FINEST) * float((high - low).max())
     if tolerance == 0:  # a point
         return np.empty((0, 2))
     middle = ((low + high) / 2)[:, None]  # moved there, coordinates lose least

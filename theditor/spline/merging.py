@@ -24,9 +24,9 @@ def merged(
     u, v : ndarray, shape (n,)
         What was found.
     width : ndarray, shape (n,)
-        Half the sides of the square, around each, within which the curves are not told apart; 0 for a point.
+        How far each is known to extend, in both parameters and to either side at most; 0 for a point.
     gap : ndarray, shape (n,)
-        How far the curves are apart there: of the points, else of the squares, the nearest stands for all.
+        How far the curves are apart there: of the points, else of the stretches, the nearest stands for all.
     own : ndarray of bool, shape (n,)
         Where one curve turns back on itself; a group with such a member is no meeting.
     periods : (int or None, int or None)
@@ -52,7 +52,7 @@ def merged(
 def _groups(
     pairs: Floats, width: Floats, periods: tuple[int | None, int | None], same: bool
 ) -> NDArray[np.intp]:
-    """Return for each square the number of its group: squares that meet, directly or through others."""
+    """Return for each finding the number of its group: their squares meet, directly or through others."""
     squares = [(pairs, np.arange(len(width)))]
     for row, period in enumerate(periods):
         if period is None:
