@@ -122,7 +122,12 @@ def test_an_inactive_column_says_why_it_cannot_be_dragged(strip, hand, document,
 
 
 def test_tips_give_every_digit_and_the_mode(strip):
-    assert strip.tip(3) == "λ₃ = 8.912056875738365 · interpolating"
+    assert strip.tip(3).split("\n") == [
+        "λ₃ = 8.912056875738365 · interpolating",
+        "Segment 2: basis function c₃ is negative near t = 0.77; the convex hull no longer bounds this segment",
+        "Segment 3: basis functions c₀ (near t = 0.23) and c₃ (near t = 0.77) are negative; "
+        "the convex hull no longer bounds this segment",
+    ]
     assert strip.tip(9) == "λ₉ = 0.5 · blend"
 
 
@@ -172,3 +177,23 @@ def test_a_hundred_thousand_columns_scroll_to_the_selected_one_and_paint_only_wh
     hand.release()
     changed = np.flatnonzero(lambdas(document) != long_curve.lambdas)
     assert changed.tolist() == [99_000]
+
+
+def test_tips_say_what_happens_at_a_joint_of_a_low_parameter(strip, document):
+    document.apply_curve("Change λ", 0, document.drawing[0].curve.with_lambdas(6, -3.0))
+    assert strip.tip(6).split("\n") == [
+        "λ₆ = −3 · blend",
+        "λ₆ = −3 is below −2.648…: the second derivative at joint 5 is reversed, which adds inflections",
+    ]
+
+
+def test_a_parameter_that_makes_a_basis_function_negative_has_a_hatched_knob(strip, document):
+    def pixels_of_knob(value):
+        document.apply_curve("Change λ", 0, document.drawing[0].curve.with_lambdas(6, value))
+        y = round(strip.track_top + (1 - float(scale.position(value))) * strip.track_height)
+        left = strip.column_left(6) + (strip.column_left(7) - strip.column_left(6)) // 2 - 10
+        image = strip.viewport().grab().toImage()
+        return [image.pixelColor(left + x, y).lightness() for x in range(20)]
+
+    assert np.ptp(pixels_of_knob(0.5)) == 0
+    assert np.ptp(pixels_of_knob(6.0)) > 100

@@ -1,13 +1,15 @@
+import numpy as np
 import pytest
 from panel_hand import CTRL, LEFT, NONE, SHIFT, Hand, some_curve
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 
 from theditor.drawing import Drawing, Item
-from theditor.model import Document, Selection
-from theditor.panels import SegmentPanel, SegmentsPanel
+from theditor.model import LIGHT, Document, Selection
+from theditor.panels import SegmentPanel, SegmentsPanel, segment_model
 from theditor.panels.segment_list import cell_rects
-from theditor.spline import INTERPOLATING, Mode
+from theditor.spline import INTERPOLATING, Mode, known, negative_basis, recognise, recognise_segments
 
 KEY = Qt.Key
 T, H, STAR = Mode.TRIGONOMETRIC, Mode.HYPERBOLIC, Mode.INTERPOLATING
@@ -35,14 +37,77 @@ def texts(panel):
     return [panel.model.index(row).data() for row in range(panel.model.rowCount())]
 
 
+def description(info):
+    return info.text.text().split("\n")
+
+
 def modes(document):
     return document.drawing[0].curve.modes
 
 
 def test_rows_read_as_the_curves_segments(panel, document):
+    names = [found and found.name for found in recognise_segments(document.drawing[0].curve)]
+    assert names[:7] == [*["general trigonometric arc", None, None, None], *["general hyperbolic arc"] * 3]
     assert texts(panel) == [mode.value for mode in modes(document)]
     spoken = panel.model.index(4).data(Qt.ItemDataRole.AccessibleTextRole)
     assert spoken == "Segment 5, hyperbolic"
+
+
+def test_known_curves_go_by_their_names_and_lose_them_with_their_shape(show):
+    wheel = known.trochoid(arm=2.0, quarters=4)
+    document = Document(Drawing([Item(wheel), Item(known.ellipse(quarters=3, degree=2))]))
+    selection = Selection(document)
+    panel = show(SegmentsPanel(document, selection), 340, 300)
+    assert texts(panel) == ["trochoid, prolate"] * 4
+    document.apply_curve("Move", 0, wheel.with_points(0, [[9, 9]]))
+    assert texts(panel) == ["trigonometric", *["trochoid, prolate"] * 3]
+    click_mode(panel, 2, H)
+    assert texts(panel) == [
+        "trigonometric",
+        "blend · was trigonometric",
+        "hyperbolic",
+        "blend · was trigonometric",
+    ]
+    tip = panel.model.index(2).data(Qt.ItemDataRole.ToolTipRole)
+    assert tip == "Segment 3: hyperbolic, shaped by λ₃ and λ₄"
+    selection.select(curve=1)
+    assert texts(panel) == ["ellipse arc"] * 3
+    tip = panel.model.index(2).data(Qt.ItemDataRole.ToolTipRole)
+    assert tip == "Segment 3: ellipse arc (trigonometric), shaped by λ₃ and λ₄"
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("degree", [2, 3])
+def test_rows_with_a_negative_basis_function_are_marked_and_say_why(show, degree, closed):
+    lambdas = np.zeros(200)
+    lambdas[[0, 5, 64, 65, 130, 198]] = 5.0, 4.5, -17.5, 6.0, -20.0, 3.9
+    curve = some_curve(lambdas, degree=degree, closed=closed)
+    document = Document(Drawing([Item(curve)]))
+    panel = show(SegmentsPanel(document, Selection(document)), 340, 300)
+    guards = negative_basis(curve)
+    reasons = [guards.reason(segment) for segment in range(curve.segment_count)]
+    assert sum(map(bool, reasons)) >= 5
+    for row, reason in enumerate(reasons):
+        index = panel.model.index(row)
+        assert index.data(panel.model.WarningRole).lower() == reason.lower()
+        assert reason[1:] in index.data(Qt.ItemDataRole.ToolTipRole)
+        assert reason[1:] in index.data(Qt.ItemDataRole.AccessibleTextRole)
+
+
+def test_the_mark_is_painted(panel, document):
+    row = panel.list.visualRect(panel.model.index(5))
+    before = panel.list.viewport().grab(row).toImage()
+    document.apply_curve("Change λ", 0, document.drawing[0].curve.with_lambdas(6, 5.0))
+    marked = panel.list.viewport().grab(row).toImage()
+    colour = QColor(LIGHT.warning)
+
+    def count(image):
+        return sum(
+            image.pixelColor(x, y) == colour for x in range(image.width()) for y in range(image.height())
+        )
+
+    assert count(before) == 0
+    assert count(marked) > 30
 
 
 def test_toggling_a_segment_sets_both_its_parameters_and_tells_of_its_neighbours(panel, document, selection):
@@ -107,15 +172,36 @@ def test_without_a_selection_the_command_means_every_segment(panel, document):
     assert panel.said == ["10 segments are hyperbolic."]
 
 
-def test_only_rows_whose_mode_changed_are_redrawn(panel, document):
+def test_only_rows_whose_segment_changed_are_redrawn(panel, document):
     redrawn = []
     panel.model.dataChanged.connect(lambda a, b: redrawn.append((a.row(), b.row())))
     curve = document.drawing[0].curve
     document.apply_curve("Move", 0, curve.with_points(5, [[9, 9]]))
-    document.apply_curve("Change λ", 0, curve.with_lambdas(9, 0.6))
-    assert redrawn == []
-    document.apply_curve("Change λ", 0, curve.with_lambdas(9, 1.0))
-    assert redrawn == [(7, 7)]
+    document.apply_curve("Change λ", 0, document.drawing[0].curve.with_lambdas(9, 0.6))
+    assert redrawn == [(2, 5), (7, 8)]
+
+
+def test_only_visible_rows_of_a_long_curve_are_named(show, monkeypatch):
+    asked = []
+
+    def recognised(curve, segments):
+        asked.extend(segments)
+        return recognise_segments(curve, segments)
+
+    monkeypatch.setattr(segment_model, "recognise_segments", recognised)
+    curve = some_curve([0.0] * 100_000)
+    document = Document(Drawing([Item(curve)]))
+    panel = show(SegmentsPanel(document, Selection(document)), 340, 400)
+    panel.list.grab()
+    assert 10 < len(asked) == len(set(asked)) < 50
+    asked.clear()
+    document.apply_curve("Move", 0, curve.with_points(4, [[9, 9]]))
+    panel.list.grab()
+    assert sorted(asked) == [1, 2, 3, 4]
+    panel.list.scrollToBottom()
+    panel.list.grab()
+    assert max(asked) == curve.segment_count - 1
+    assert len(asked) < 60
 
 
 def test_a_clamped_end_follows_its_one_parameter(show):
@@ -158,18 +244,55 @@ def test_the_segment_panel_tells_what_a_segment_is(info, document, selection):
     assert info.text.text() == "Select a segment on the curve or in the list."
     selection.select(segments=[5])
     assert info.heading.text() == "Segment 6"
-    lines = info.text.text().split("\n")
-    assert lines[:3] == [
-        "Hyperbolic, spans 1, t, cosh t, sinh t.",
-        "λ₆ = λ₇ = 1",
-        "Control points P₅, P₆, P₇ and P₈",
-    ]
+    what, equation, shaped, _ = description(info)
+    assert what == "General hyperbolic arc."
+    assert equation == recognise(document.drawing[0].curve, 5).equation
+    assert shaped == "λ₆ = λ₇ = 1 · control points P₅, P₆, P₇ and P₈"
     selection.select(segments=[2])
-    assert info.text.text().startswith("Interpolating, meets P₃ and P₄ at its ends.\nλ₃ = λ₄ = λ* = 8.91206")
+    assert description(info)[0] == "Interpolating, meets P₃ and P₄ at its ends."
+    assert description(info)[2].startswith("λ₃ = λ₄ = λ* = 8.91206 · ")
     selection.select(segments=[1])
     assert "λ₂ = 0, λ₃ = λ* = 8.91206" in info.text.text()
     document.apply_curve("Change λ", 0, document.drawing[0].curve.with_lambdas(3, 0.0))
-    assert "Trigonometric, spans 1, t, cos(πt/2), sin(πt/2).\nλ₂ = λ₃ = 0" in info.text.text()
+    assert description(info)[0].startswith("General trigonometric arc")
+    assert description(info)[2].startswith("λ₂ = λ₃ = 0 · ")
+
+
+def test_the_segment_panel_measures(info, document, selection):
+    document.apply_curve("Insert", 0, known.catenary(start=-1.0, units=2))
+    selection.select(segments=[0])
+    # A catenary's length is sinh τ, its curvature 1/cosh² τ: ∫κ² ds = ∫ cosh⁻³ τ dτ.
+    tau = np.linspace(0, 1, 2001)
+    bending = np.trapezoid(np.cosh(tau) ** -3, tau)
+    assert description(info) == [
+        "Catenary, parameter 1, vertex (0, 1), from τ = −1 to 0.",
+        "(x, y) = (−1 + t, cosh(1 − t)), t ∈ [0, 1]",
+        "λ₁ = λ₂ = 1 · control points P₀, P₁, P₂ and P₃",
+        f"Length {np.sinh(1):.6g} · bending {bending:.6g} · joins end / C²",
+    ]
+    document.apply_curve("Insert", 0, known.cycloid())
+    assert "bending ∞" in info.text.text()
+
+
+def test_what_is_nearly_a_known_curve_is_completed_in_one_step(info, document, selection, qtbot):
+    curve = known.hyperbola(units=4)
+    document.apply_curve("Insert", 0, curve)
+    selection.select(segments=[2])
+    assert not info.complete.isVisible()
+    document.apply_curve("Change λ", 0, curve.with_lambdas(4, 0.97))
+    assert info.suggestion.text() == "λ₄ = 0.97: set to 1 to make it a hyperbola arc."
+    document.apply("Lock", Drawing([document.drawing[0].with_(locked=True)]))
+    assert not info.complete.isEnabled()
+    document.undo()
+    steps = document.undo_stack.count()
+    qtbot.mouseClick(info.complete, LEFT)
+    assert document.drawing[0].curve == curve
+    assert description(info)[0].startswith("Hyperbola arc, centre (0, 0)")
+    assert document.undo_stack.undoText() == "Make segment 3 a hyperbola arc"
+    assert not info.complete.isVisible()
+    document.undo()
+    assert document.undo_stack.count() == steps
+    assert info.complete.isVisible()
 
 
 def test_the_segment_panel_sums_up_several(info, selection):
@@ -180,7 +303,7 @@ def test_the_segment_panel_sums_up_several(info, selection):
 
 def test_the_segment_panel_goes_round_a_closed_quadratic(info, selection):
     selection.select(curve=1, segments=[0])
-    assert "Control points P₁₂, P₀ and P₁" in info.text.text()
+    assert "control points P₁₂, P₀ and P₁" in info.text.text()
 
 
 def test_a_straight_segment_has_no_parameter(show):
@@ -188,5 +311,5 @@ def test_a_straight_segment_has_no_parameter(show):
     selection = Selection(document)
     info = show(SegmentPanel(document, selection))
     selection.select(segments=[0])
-    assert "No λ shapes it: it is straight." in info.text.text()
-    assert "Control points P₀ and P₁" in info.text.text()
+    assert description(info)[0] == "Line segment from (1, 0) to (0.283662, −0.544021)."
+    assert description(info)[2] == "No λ shapes it · control points P₀ and P₁"

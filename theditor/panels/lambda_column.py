@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, QPen
 
 from theditor.model import Colours
 from theditor.model.words import indexed
@@ -16,6 +16,7 @@ from theditor.spline import CONVEX_HULL_RANGE, mode_of
 _TRACK_WIDTH = 18.0
 _BAR_WIDTH = 8.0
 _KNOB = (24.0, 4.0)
+_MARKED_HEIGHT = 8.0
 _GAP = 8
 _CENTRED = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
 
@@ -30,6 +31,8 @@ class Column:
     active: bool
     selected: bool
     hovered: bool
+    marked: bool
+    """Whether this λ makes a basis function negative."""
 
 
 def caption_height(font: QFont) -> int:
@@ -73,9 +76,13 @@ def paint_column(
         mode = mode_of(column.value, column.value, column.degree)
         block(trigonometric, place, _BAR_WIDTH, colours.of_mode(mode), 2)
     knob_width, knob_height = _KNOB
+    if column.marked:
+        knob_height = _MARKED_HEIGHT
     painter.setBrush(QColor(colours.text))
     knob = QRectF(middle - knob_width / 2, bottom - place * height - knob_height / 2, knob_width, knob_height)
     painter.drawRoundedRect(knob, 2, 2)
+    if column.marked:
+        _hatch(painter, knob.adjusted(1, 1, -1, -1), QColor(colours.panel))
 
     small = small_font(font)
     line = QFontMetricsF(small).height()
@@ -84,3 +91,17 @@ def paint_column(
     painter.drawText(QRectF(0, bottom + _GAP, width, line), _CENTRED, indexed("λ", column.index))
     painter.setPen(QColor(colours.text if column.selected else colours.secondary))
     painter.drawText(QRectF(0, bottom + _GAP + line, width, line), _CENTRED, value_text(column.value))
+
+
+def _hatch(painter: QPainter, frame: QRectF, colour: QColor) -> None:
+    """Draw slanting lines inside a frame."""
+    shape = QPainterPath()
+    shape.addRoundedRect(frame, 1, 1)
+    painter.save()
+    painter.setClipPath(shape)
+    painter.setPen(QPen(colour, 1.6))
+    x = frame.left() - frame.height()
+    while x < frame.right():
+        painter.drawLine(QPointF(x, frame.bottom()), QPointF(x + frame.height(), frame.top()))
+        x += 4.0
+    painter.restore()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QFrame, QToolTip, QWidget
@@ -10,6 +9,7 @@ from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QFrame, QToolTi
 from theditor.drawing import Item
 from theditor.model import Document, Selection, colours_for, words
 from theditor.panels import lambda_scale as scale
+from theditor.panels.guarded import NegativeBasis, reversal, same_lambdas
 from theditor.panels.lambda_column import Column, caption_height, paint_column
 from theditor.panels.lambda_edit import LambdaGesture, editable, set_lambdas, step_lambdas
 from theditor.spline import mode_of
@@ -45,6 +45,7 @@ class LambdaStrip(QAbstractScrollArea):
         self._gesture: LambdaGesture | None = None
         self._painted: dict[int, float] = {}
         self._hovered = -1
+        self._negative = NegativeBasis()
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -207,12 +208,15 @@ class LambdaStrip(QAbstractScrollArea):
         return super().event(event)
 
     def tip(self, column: int) -> str:
-        """Say of a column its λ in full, and its mode or why it cannot be changed."""
+        """Say of a column its λ in full, its mode or why it cannot be changed, and what it gives up."""
         if self._item is None or not 0 <= column < self._count():
             return ""
-        value = float(self._item.curve.lambdas[column])
-        mode = mode_of(value, value, self._item.curve.degree).value
-        return f"{words.indexed('λ', column)} = {words.exact(value)} · {self._reason(column) or mode}"
+        curve = self._item.curve
+        value = float(curve.lambdas[column])
+        mode = mode_of(value, value, curve.degree).value
+        first = f"{words.indexed('λ', column)} = {words.exact(value)} · {self._reason(column) or mode}"
+        lines = [first, *self._negative.caused_by(curve, column), reversal(curve, column)]
+        return "\n".join(filter(None, lines))
 
     def _reason(self, column: int) -> str:
         assert self._item is not None
@@ -308,6 +312,7 @@ class LambdaStrip(QAbstractScrollArea):
                     active=bool(curve.active_lambdas[i]) and not self._item.locked,
                     selected=i in self._points,
                     hovered=i == self._hovered,
+                    marked=bool(self._negative.caused_by(curve, i)),
                 )
                 painter.save()
                 painter.translate(self.column_left(i), 0)
@@ -317,10 +322,7 @@ class LambdaStrip(QAbstractScrollArea):
 
 
 def _looks_same(old: Item, new: Item) -> bool:
-    a, b = old.curve, new.curve
-    return (a.degree, a.closed, a.ends, old.locked) == (b.degree, b.closed, b.ends, new.locked) and (
-        a.lambdas is b.lambdas or np.array_equal(a.lambdas, b.lambdas)
-    )
+    return old.locked == new.locked and same_lambdas(old.curve, new.curve)
 
 
 def _modifiers(event: QMouseEvent | QKeyEvent) -> tuple[bool, bool]:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QPushButton, QWidget
 
-from theditor.model import Document, Selection
+from theditor.drawing import Item
+from theditor.model import Document, Selection, words
 from theditor.model.selection import shaping_points
 from theditor.model.words import (
     counted,
@@ -18,31 +21,34 @@ from theditor.model.words import (
     number,
     symbols,
 )
-from theditor.panels.parts import Paragraph, column, heading
-from theditor.spline import Curve, Mode, mode_of
+from theditor.panels.parts import Paragraph, column, describe, heading
+from theditor.spline import Curve, Missing, Mode, arc_length, bending_energy, missing, mode_of, recognise
+from theditor.spline.wording import with_article
 
-_SPANS = {
-    (Mode.TRIGONOMETRIC, 2): "1, cos(πt/2), sin(πt/2)",
-    (Mode.TRIGONOMETRIC, 3): "1, t, cos(πt/2), sin(πt/2)",
-    (Mode.HYPERBOLIC, 2): "1, cosh t, sinh t",
-    (Mode.HYPERBOLIC, 3): "1, t, cosh t, sinh t",
-}
 _HINT = "Select a segment on the curve or in the list."
+_ACCURACY = 1e-7
+"""Of length and bending energy, relative: a digit more than is shown."""
 
 
 class SegmentPanel(QWidget):
-    """Describes the selected segment, or sums up several."""
+    """Describes the selected segment, or sums up several; completes one that is nearly a known curve."""
 
     def __init__(self, document: Document, selection: Selection, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._selection = selection
-        self._shown: tuple[Curve | None, frozenset[int]] = (None, frozenset({-1}))
+        self._document, self._selection = document, selection
+        self._shown: tuple[Item | None, frozenset[int]] = (None, frozenset({-1}))
+        self._missing: Missing | None = None
         self.heading = heading("Segment")
         self.text = Paragraph()
         self.text.setAccessibleName("Selected segment")
+        self.suggestion = Paragraph()
+        self.complete = QPushButton("Set it")
+        self.complete.clicked.connect(self._complete)
         layout = column(self)
         layout.addWidget(self.heading)
         layout.addWidget(self.text)
+        layout.addWidget(self.suggestion)
+        layout.addWidget(self.complete, alignment=Qt.AlignmentFlag.AlignLeft)
         layout.addStretch(1)
         document.changed.connect(self._follow)
         selection.changed.connect(self._follow)
@@ -50,36 +56,55 @@ class SegmentPanel(QWidget):
 
     def _follow(self) -> None:
         item, segments = self._selection.item, self._selection.segments
-        curve = item.curve if item is not None else None
-        old_curve, old_segments = self._shown
-        if curve is old_curve and segments == old_segments:
+        old_item, old_segments = self._shown
+        if item is old_item and segments == old_segments:
             return
-        self._shown = curve, segments
-        if curve is None or not segments:
+        self._shown = item, segments
+        self._missing = None
+        if item is None or not segments:
             self.heading.setText("Segment")
             self.text.setText(_HINT)
         elif len(segments) == 1:
             (segment,) = segments
-            self.heading.setText(f"Segment {segment + curve.first_segment}")
-            self.text.setText("\n".join(description(curve, segment)))
+            self.heading.setText(f"Segment {segment + item.curve.first_segment}")
+            self.text.setText("\n".join(description(item.curve, segment)))
+            self._missing = missing(item.curve, segment)
         else:
             self.heading.setText(f"{len(segments)} segments")
-            self.text.setText("\n".join(summary(curve, segments)))
+            self.text.setText("\n".join(summary(item.curve, segments)))
+        self._suggest(item)
+
+    def _suggest(self, item: Item | None) -> None:
+        for widget in (self.suggestion, self.complete):
+            widget.setVisible(self._missing is not None)
+        if self._missing is not None and item is not None:
+            self.suggestion.setText(f"{self._missing.text}.")
+            name = f"Make it {with_article(self._missing.recognised.kind)}"
+            describe(self.complete, name, words.locked_reason(item.name) if item.locked else name)
+            self.complete.setEnabled(not item.locked)
+
+    def _complete(self) -> None:
+        """Set the λ that are missing, in one undo step."""
+        item, segments = self._selection.item, self._selection.segments
+        if self._missing is not None and item is not None:
+            indices, values = zip(*self._missing.changes, strict=True)
+            named = words.segments_named(item.curve, segments)
+            step = f"Make {named} {with_article(self._missing.recognised.kind)}"
+            self._document.apply_curve(step, self._selection.curve, item.curve.with_lambdas(indices, values))
 
 
 def description(curve: Curve, segment: int) -> list[str]:
-    """Lines about one segment: mode, parameters, points, ends."""
-    mode = curve.modes[segment]
-    spans = _SPANS.get((mode, curve.degree))
-    first = f"{mode.value.capitalize()}, spans {spans}." if spans else f"{_in_words(curve, segment)}."
-    points = shaping_polygon(curve, segment)
-    start, end = (curve.joints[j % len(curve.joints)] for j in (segment, segment + 1))
-    return [
-        first,
-        _lambdas(curve, segment),
-        f"Control points {listed([indexed('P', i) for i in points])}",
-        f"From {_coordinates(start)} to {_coordinates(end)}",
-    ]
+    """Lines about one segment: what it is, its equation or ends, what shapes it, its measures."""
+    found = recognise(curve, segment)
+    if found is not None:
+        what = f"{found.description[:1].upper()}{found.description[1:]}."
+        where = found.equation
+    else:
+        start, end = curve([segment, segment + 1])
+        what = f"{_in_words(curve, segment)}."
+        where = f"From {_coordinates(start)} to {_coordinates(end)}"
+    points = listed([indexed("P", i) for i in shaping_polygon(curve, segment)])
+    return [what, where, f"{_lambdas(curve, segment)} · control points {points}", _measures(curve, segment)]
 
 
 def summary(curve: Curve, segments: frozenset[int]) -> list[str]:
@@ -127,13 +152,24 @@ def _joint_points(curve: Curve, segment: int) -> tuple[int, int]:
 def _lambdas(curve: Curve, segment: int) -> str:
     indices = [i for i in curve.lambda_indices(segment) if i is not None]
     if not indices:
-        return "No λ shapes it: it is straight."
+        return "No λ shapes it"
     values = curve.lambdas[indices].tolist()
     if len(set(values)) == 1:
         return f"{' = '.join(indexed('λ', i) for i in indices)} = {_named(values[0], curve.degree)}"
     return ", ".join(
         f"{indexed('λ', i)} = {_named(value, curve.degree)}" for i, value in zip(indices, values, strict=True)
     )
+
+
+def _measures(curve: Curve, segment: int) -> str:
+    """Length, bending energy ∫κ² ds, and how smoothly the segment joins its neighbours."""
+    length = arc_length(curve, segment, segment + 1, _ACCURACY)
+    bending = bending_energy(curve, segment, segment + 1, _ACCURACY)
+    energy = number(bending) if math.isfinite(bending) else "∞"
+    smooth = "C²" if curve.degree == 3 else "C¹"
+    start = smooth if curve.closed or segment > 0 else "end"
+    end = smooth if curve.closed or segment < curve.segment_count - 1 else "end"
+    return f"Length {number(length)} · bending {energy} · joins {start} / {end}"
 
 
 def _named(value: float, degree: int) -> str:

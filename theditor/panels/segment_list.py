@@ -1,4 +1,4 @@
-"""The list of segments: each row shows its mode and carries buttons for the three that can be set."""
+"""The list of segments: each row says what it is and carries buttons for the three modes that can be set."""
 
 from __future__ import annotations
 
@@ -7,13 +7,14 @@ from PySide6.QtCore import (
     QModelIndex,
     QPersistentModelIndex,
     QPoint,
+    QPointF,
     QRect,
     QRectF,
     QSize,
     Qt,
     Signal,
 )
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPen
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPen, QPolygonF
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from theditor.model import Colours, colours_for
@@ -33,6 +34,7 @@ KEYS = {
 }
 _CELL = QSize(27, 22)
 _NUMBER_WIDTH = 20
+_WARNING = QSize(14, 12)
 
 
 def cell_rects(row: QRect) -> dict[Mode, QRect]:
@@ -118,7 +120,7 @@ class SegmentList(RowList):
 
 
 class _SegmentDelegate(QStyledItemDelegate):
-    """Paints number, swatch, mode in words, and the buttons."""
+    """Paints number, swatch, name, a warning where there is one, and the buttons."""
 
     def __init__(self, view: SegmentList) -> None:
         super().__init__(view)
@@ -151,6 +153,11 @@ class _SegmentDelegate(QStyledItemDelegate):
         cells = cell_rects(rect)
         painter.setPen(QColor(colours.text))
         room = QRect(left, rect.top(), cells[MODES[0]].left() - left - 8, rect.height())
+        if index.data(SegmentModel.WarningRole):
+            room.setRight(room.right() - _WARNING.width() - 6)
+            place = QPoint(room.right() + 6, rect.center().y() - _WARNING.height() // 2)
+            _paint_warning(painter, QRectF(QRect(place, _WARNING)), colours)
+            painter.setPen(QColor(colours.text))
         text = painter.fontMetrics().elidedText(index.data(), Qt.TextElideMode.ElideRight, room.width())
         painter.drawText(room, vertical, text)
         self._paint_cells(painter, index.row(), mode, cells, colours)
@@ -181,6 +188,17 @@ class _SegmentDelegate(QStyledItemDelegate):
         for candidate, cell in cells.items():
             painter.setPen(QColor(colours.canvas if candidate == mode else colours.secondary))
             painter.drawText(cell, Qt.AlignmentFlag.AlignCenter, MODE_LETTERS[candidate])
+
+
+def _paint_warning(painter: QPainter, frame: QRectF, colours: Colours) -> None:
+    """Draw a triangle with an exclamation mark."""
+    middle = frame.center().x()
+    painter.setBrush(QColor(colours.warning))
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.drawPolygon(QPolygonF([QPointF(middle, frame.top()), frame.bottomRight(), frame.bottomLeft()]))
+    painter.setPen(QPen(QColor(colours.panel), 1.6))
+    painter.drawLine(QPointF(middle, frame.top() + 4.5), QPointF(middle, frame.top() + 7.5))
+    painter.drawPoint(QPointF(middle, frame.top() + 9.5))
 
 
 def _cell_ground(chosen: bool, cell: tuple[int, Mode], view: SegmentList, colours: Colours) -> QColor | None:

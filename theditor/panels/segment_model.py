@@ -8,30 +8,40 @@ import numpy as np
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 
 from theditor.model import words
-from theditor.spline import Curve, Mode
+from theditor.panels.guarded import NegativeBasis
+from theditor.spline import Curve, Kind, Mode, changed_segments, recognise_segments
 
 ModelIndex = QModelIndex | QPersistentModelIndex
 NO_INDEX = QModelIndex()
+_BLOCK = 16
+"""Rows that are named together: about as many as are visible."""
+_GENERAL = (Kind.TRIGONOMETRIC, Kind.HYPERBOLIC)
 
 
 class SegmentModel(QAbstractListModel):
-    """One row per segment; tells its views only about the rows whose mode changed."""
+    """One row per segment, named by what it is; tells its views only about rows whose segment changed.
+
+    Names are found when a view asks for them, and kept until their segments change.
+    """
 
     ModeRole = Qt.ItemDataRole.UserRole + 1
     NumberRole = Qt.ItemDataRole.UserRole + 2
+    WarningRole = Qt.ItemDataRole.UserRole + 3
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.curve: Curve | None = None
         self.locked_reason = ""
         self._formerly: dict[int, Mode] = {}
+        self._names: dict[int, str] = {}
+        self._negative = NegativeBasis()
 
     def rowCount(self, parent: ModelIndex = NO_INDEX) -> int:
         """Return the number of segments."""
         return 0 if parent.isValid() or self.curve is None else self.curve.segment_count
 
     def data(self, index: ModelIndex, role: int = Qt.ItemDataRole.DisplayRole) -> object:
-        """Return mode in words, mode, number, or what a screen reader and the tooltip say."""
+        """Return name, mode, number, why the row is marked, or what a screen reader and the tooltip say."""
         curve, row = self.curve, index.row()
         if curve is None or not index.isValid():
             return None
@@ -40,12 +50,17 @@ class SegmentModel(QAbstractListModel):
             return number
         if role == self.ModeRole:
             return self.mode(row)
+        if role == self.WarningRole:
+            return self.warning(row)
         if role == Qt.ItemDataRole.DisplayRole:
             return self.text(row)
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            return f"Segment {number}, {self.text(row)}"
+            return ". ".join(filter(None, [f"Segment {number}, {self.text(row)}", self.warning(row)]))
         if role == Qt.ItemDataRole.ToolTipRole:
-            return self.locked_reason or f"Segment {number}: {self.text(row)}, shaped by {self._lambdas(row)}"
+            mode = self.mode(row).value
+            kind = "" if self._name(row) == mode else f" ({mode})"
+            what = f"Segment {number}: {self.text(row)}{kind}, shaped by {self._lambdas(row)}"
+            return "\n".join(filter(None, [self.locked_reason or what, self.warning(row)]))
         return None
 
     def mode(self, row: int) -> Mode:
@@ -53,11 +68,29 @@ class SegmentModel(QAbstractListModel):
         assert self.curve is not None
         return self.curve.modes[row]
 
+    def warning(self, row: int) -> str:
+        """Say why the convex hull does not bound a segment; nothing where it does."""
+        assert self.curve is not None
+        reason = self._negative.reason(self.curve, row)
+        return reason[:1].upper() + reason[1:]
+
     def text(self, row: int) -> str:
-        """Name a segment's mode, and what it was if the last toggle of a neighbour made it a blend."""
-        name = self.mode(row).value
+        """Name a segment, and what mode it had if the last toggle of a neighbour made it a blend."""
+        name = self._name(row)
         former = self._formerly.get(row)
         return name if former is None else f"{name} · was {former.value}"
+
+    def _name(self, row: int) -> str:
+        """Return the segment's own name, or its mode if it has none."""
+        if row not in self._names:
+            assert self.curve is not None
+            start = row - row % _BLOCK
+            end = min(start + _BLOCK, self.curve.segment_count)
+            rows = [r for r in range(start, end) if r not in self._names]
+            for each, found in zip(rows, recognise_segments(self.curve, rows), strict=True):
+                named = found if found and found.kind not in _GENERAL else None
+                self._names[each] = named.name if named else self.mode(each).value
+        return self._names[row]
 
     def show_curve(self, curve: Curve | None) -> None:
         """Show another curve, or the same one changed."""
@@ -65,12 +98,18 @@ class SegmentModel(QAbstractListModel):
         self._set_formerly({})
         if old is None or curve is None or _numbering(old) != _numbering(curve):
             self.beginResetModel()
-            self.curve = curve
+            self.curve, self._names = curve, {}
             self.endResetModel()
             return
+        changed = changed_segments(old, curve)
+        rows = np.arange(curve.segment_count) if changed is None else changed
         self.curve = curve
-        if curve.lambdas is not old.lambdas or curve.degree != old.degree:
-            self._tell(np.flatnonzero(curve.mode_codes != old.mode_codes).tolist())
+        if rows.size:
+            known = np.array(list(self._names), dtype=np.intp)
+            for row in known[np.isin(known, rows)].tolist():
+                del self._names[row]
+            # One signal for all: a view repaints only what is visible of the range.
+            self.dataChanged.emit(self.index(int(rows[0])), self.index(int(rows[-1])))
 
     def show_formerly(self, formerly: dict[int, Mode]) -> None:
         """Say of these segments what they were, until the curve changes again."""
