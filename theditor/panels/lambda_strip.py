@@ -214,7 +214,8 @@ class LambdaStrip(QAbstractScrollArea):
         curve = self._item.curve
         value = float(curve.lambdas[column])
         mode = mode_of(value, value, curve.degree).value
-        first = f"{words.indexed('λ', column)} = {words.exact(value)} · {self._reason(column) or mode}"
+        text = words.exact(value).replace("-", "−")
+        first = f"{words.indexed('λ', column)} = {text} · {self._reason(column) or mode}"
         lines = [first, *self._negative.caused_by(curve, column), reversal(curve, column)]
         return "\n".join(filter(None, lines))
 
