@@ -33,7 +33,8 @@ def test_check_says_what_is_in_a_file(capsys, tmp_path):
     save(Drawing([Item(plane, "Ring"), Item(space, "Strut")]), tmp_path / "two.json")
     save(Drawing(), tmp_path / "none.json")
     assert main(["check", str(FIGURE_10), str(tmp_path / "two.json"), str(tmp_path / "none.json")]) == 0
-    assert capsys.readouterr().out == (
+    lines = capsys.readouterr().out.splitlines(keepends=True)
+    assert "".join(line for line in lines if not line.startswith("    Segment")) == (
         f"{FIGURE_10}: 1 curve\n"
         "  Figure 10: cubic, open with free ends, 13 points, 10 segments; segments 1 trigonometric, 2 blend, "
         "3 interpolating, 4 blend, 5–7 hyperbolic, 8–9 blend, 10 trigonometric\n"
@@ -45,6 +46,28 @@ def test_check_says_what_is_in_a_file(capsys, tmp_path):
         "    no joints: the curve is one segment\n"
         f"{tmp_path / 'none.json'}: 0 curves\n"
     )
+
+
+def test_check_names_the_segments_that_are_known_curves(capsys):
+    assert main(["check", str(FIGURE_10)]) == 0
+    lines = [line.strip() for line in capsys.readouterr().out.splitlines() if "Segment" in line]
+    assert [line for line in lines if "general" not in line] == [
+        "Segment 1: trochoid, prolate, rolling radius 0.63662, arm 1, origin (0, 0.36338), 0°–90°; "
+        "(x, y) = (t − sin(πt/2), 1 − cos(πt/2)), t ∈ [0, 1]",
+        "Segment 5: catenary, parameter 1, vertex (0, 2), from τ = 1 to 0; "
+        "(x, y) = (1 − t, 1 + cosh(1 − t)), t ∈ [0, 1]",
+        "Segment 6: hyperbola arc, centre (0, 1), semi-axes 1 and 1, turned by 90°, from τ = 0 to 1; "
+        "(x, y) = (−sinh t, 1 + cosh t), t ∈ [0, 1]",
+        "Segment 10: ellipse arc, centre (−2, 0), semi-axes 1 and 0.5, 270°–360°; "
+        "(x, y) = (−2 + sin(πt/2), −0.5 cos(πt/2)), t ∈ [0, 1]",
+    ]
+    assert [line.split(";")[0] for line in lines if "general" in line] == ["Segment 7: general hyperbolic arc"]
+
+
+def test_check_counts_the_names_of_a_long_curve(capsys, tmp_path):
+    save(Drawing([Item(known.sine(quarters=30))]), tmp_path / "long.json")
+    assert main(["check", str(tmp_path / "long.json")]) == 0
+    assert "\n    30 × sine wave\n" in capsys.readouterr().out
 
 
 def test_check_counts_modes_that_would_make_a_long_list(capsys, tmp_path):

@@ -5,13 +5,14 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from collections import Counter
 from collections.abc import Sequence
 from itertools import groupby
 from pathlib import Path
 
 from theditor.drawing import DrawingError, Item, load, shown
 from theditor.resources import version
-from theditor.spline import Curve, Mode, continuity
+from theditor.spline import Curve, Mode, continuity, recognise_segments
 from theditor.spline.certificate import remarkable, summary
 
 _DEBIAN_PACKAGES = (
@@ -99,8 +100,23 @@ def _check(arguments: Sequence[str]) -> int:
             print(f"{shown(path)}: {_count(len(drawing), 'curve')}")
             for item in drawing:
                 print(f"  {_described(item)}")
+                for line in _recognised(item.curve):
+                    print(f"    {line}")
                 code |= _certify(item.curve)
     return code
+
+
+def _recognised(curve: Curve) -> list[str]:
+    """Name each segment that is a known curve, with its equation; of a long curve, count the names."""
+    found = recognise_segments(curve)
+    if len(found) > _MOST_RUNS:
+        counts = Counter(each.name for each in found if each is not None)
+        return [", ".join(f"{count} × {name}" for name, count in counts.items())] if counts else []
+    return [
+        f"Segment {number}: {each.description}; {each.equation}"
+        for number, each in enumerate(found, curve.first_segment)
+        if each is not None
+    ]
 
 
 def _certify(curve: Curve) -> int:
