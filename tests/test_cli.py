@@ -10,7 +10,7 @@ import pytest
 from theditor import cli, resources
 from theditor.cli import main
 from theditor.drawing import Drawing, Item, save
-from theditor.spline import JOINT_SLOPE_ZERO, Curve, Mode, continuity
+from theditor.spline import JOINT_SLOPE_ZERO, Curve, Mode, continuity, known
 
 GALLERY = resources.resource("gallery")
 FIGURE_10 = GALLERY / "figure-10.json"
@@ -61,7 +61,9 @@ def test_check_names_the_segments_that_are_known_curves(capsys):
         "Segment 10: ellipse arc, centre (−2, 0), semi-axes 1 and 0.5, 270°–360°; "
         "(x, y) = (−2 + sin(πt/2), −0.5 cos(πt/2)), t ∈ [0, 1]",
     ]
-    assert [line.split(";")[0] for line in lines if "general" in line] == ["Segment 7: general hyperbolic arc"]
+    assert [line.split(";")[0] for line in lines if "general" in line] == [
+        "Segment 7: general hyperbolic arc"
+    ]
 
 
 def test_check_counts_the_names_of_a_long_curve(capsys, tmp_path):
