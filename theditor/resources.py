@@ -9,18 +9,41 @@ import json
 from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
+from typing import Any
 
 _PACKAGE = Path(__file__).resolve().parent
 
 
 @dataclass(frozen=True, slots=True)
+class Setup:
+    """What a picture brings with it, so that one can try at once what it says.
+
+    Attributes
+    ----------
+    panel
+        Name of the dock to raise.
+    curve, points, segments
+        What to select; segments by the numbers that the window shows.
+    show
+        What to show on the canvas besides the usual.
+    """
+
+    panel: str = ""
+    curve: int = 0
+    points: tuple[int, ...] = ()
+    segments: tuple[int, ...] = ()
+    show: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Picture:
-    """One drawing of the gallery: a short name, a title, what it shows and what to try, and its file."""
+    """One drawing of the gallery: a short name, a title, what it shows and what to try, its file, its setup."""
 
     name: str
     title: str
     about: str
     path: Path
+    setup: Setup = Setup()
 
 
 def resource(name: str) -> Path:
@@ -41,7 +64,20 @@ def gallery() -> tuple[Picture, ...]:
     """Return the pictures of the gallery in the order to show them: the paper's figures, known curves."""
     folder = resource("gallery")
     entries = json.loads((folder / "index.json").read_text("utf-8"))
-    return tuple(Picture(**entry, path=folder / f"{entry['name']}.json") for entry in entries)
+    return tuple(
+        Picture(
+            entry["name"],
+            entry["title"],
+            entry["about"],
+            folder / f"{entry['name']}.json",
+            _setup(entry.get("setup", {})),
+        )
+        for entry in entries
+    )
+
+
+def _setup(entry: dict[str, Any]) -> Setup:
+    return Setup(**{key: tuple(value) if isinstance(value, list) else value for key, value in entry.items()})
 
 
 def version() -> str:

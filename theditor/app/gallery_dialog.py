@@ -28,7 +28,7 @@ class GalleryDialog(QDialog):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Open gallery")
+        self.setWindowTitle("Gallery")
         self.resize(824, 620)
         self.chosen: Picture | None = None
         self._list = QListWidget()

@@ -31,6 +31,7 @@ from theditor.app.lambda_dialogs import LambdaDialog
 from theditor.app.problems import MessageBar, log
 from theditor.app.recent import recent_files, remember_file
 from theditor.app.theme import Theme, choose_theme, chosen_theme
+from theditor.app.tour import GuideBar, lead
 from theditor.canvas import Canvas, Pointed
 from theditor.drawing import DrawingError, Item, load
 from theditor.model import Document, Selection
@@ -60,7 +61,7 @@ class MainWindow(QMainWindow):
         self.document = Document(parent=self)
         self.selection = Selection(self.document, self)
         self.canvas = Canvas(self.document, self.selection)
-        self.messages = MessageBar()
+        self.messages, self.guide = MessageBar(), GuideBar()
         self._build_panels()
         self._build_commands()
         self._build_status_line()
@@ -76,6 +77,7 @@ class MainWindow(QMainWindow):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
         layout.addWidget(self.messages)
+        layout.addWidget(self.guide)
         layout.addWidget(self.canvas, stretch=1)
         self.setCentralWidget(centre)
 
@@ -177,6 +179,7 @@ class MainWindow(QMainWindow):
 
     def _follow(self) -> None:
         document, stack = self.document, self.document.undo_stack
+        document.started.connect(self.guide.hide)
         document.renamed.connect(self._show_title)
         document.changed.connect(self._show_state)
         stack.cleanChanged.connect(self._show_state)
@@ -274,7 +277,7 @@ class MainWindow(QMainWindow):
         if self.may_discard():
             dialog = GalleryDialog(self)
             if dialog.exec() and dialog.chosen is not None:
-                self.open_picture(dialog.chosen.name)
+                lead(self, dialog.chosen)
 
     def open_picture(self, name: str) -> None:
         """Open a copy of a gallery picture; saving it asks for a file."""

@@ -192,5 +192,6 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QToolTip { background: $panel; color: $text; border: 1px solid $border; padding: 4px 6px; }
 QFrame[role="rule"] { background: $border; max-height: 1px; min-height: 1px; border: none; }
 QFrame[role="message"] { background: $selection; border-bottom: 1px solid $accent; }
+QFrame[role="guide"] { background: $panel; border-bottom: 1px solid $border; }
 QFrame[role="message"] QLabel { color: $text; }
 """
