@@ -77,7 +77,8 @@ def gallery() -> tuple[Picture, ...]:
 
 
 def _setup(entry: dict[str, Any]) -> Setup:
-    return Setup(**{key: tuple(value) if isinstance(value, list) else value for key, value in entry.items()})
+    fields: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in entry.items()}
+    return Setup(**fields)
 
 
 def version() -> str:
