@@ -18,6 +18,11 @@ from theditor.spline import MAX_LAMBDA
 _FIELD_WIDTH = 96
 _STEP = 0.05
 _PERCENT = 100
+_SLIDER_STYLE = """
+QSlider::groove { height: 5px; border-radius: 2px; background: palette(mid); }
+QSlider::sub-page { border-radius: 2px; background: palette(accent); }
+QSlider::handle { width: 15px; margin: -5px 0; border-radius: 7px; background: palette(accent); }
+"""
 
 
 class LiveField(NumberField):
@@ -111,6 +116,7 @@ class StrengthInput(QWidget):
         super().__init__(parent)
         self.field, self.slider = LiveField(0.0, 1.0), QSlider(Qt.Orientation.Horizontal)
         self.slider.setRange(0, _PERCENT)
+        self.slider.setStyleSheet(_SLIDER_STYLE)
         describe(self.field, "Strength, exact", "Strength, from 0 to 1; arrow keys step")
         describe(self.slider, "Strength, slider", "Strength, from 0 to 1")
         self.setFocusProxy(self.field)
