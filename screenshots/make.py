@@ -14,12 +14,14 @@ for variable in ("XDG_CONFIG_HOME", "XDG_DATA_HOME"):
     os.environ[variable] = tempfile.mkdtemp(prefix="theditor-screenshots-")
 
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtGui import QMouseEvent, QPainter
+from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
 from theditor.app.gallery_dialog import GalleryDialog
+from theditor.app.insert_dialog import InsertDialog
 from theditor.app.main_window import MainWindow
 from theditor.app.theme import Theme, apply_theme
+from theditor.drawing import Drawing
 from theditor.spline import Mode
 
 HERE = Path(__file__).resolve().parent
@@ -68,10 +70,15 @@ def keep(widget: QWidget, name: str) -> None:
     widget.hide()
 
 
-def main() -> None:
-    app = QApplication(["theditor"])
-    app.setStyle("Fusion")
+def show_tab(window: MainWindow, name: str) -> None:
+    """Bring one of the panels below the canvas to the front."""
+    dock = window.findChild(QDockWidget, name)
+    dock.show()
+    dock.raise_()
 
+
+def window_pictures() -> None:
+    """The whole window, in both themes and in a small size."""
     for theme in (Theme.LIGHT, Theme.DARK):
         window = opened("figure-10", theme)
         window.selection.select(points={9}, segments={4})
@@ -88,10 +95,58 @@ def main() -> None:
     drag(window, (0.0, 1.8509181282393214), (-0.4, 0.6))
     keep(window, "small")
 
-    apply_theme(Theme.LIGHT)
+
+def shaping_pictures() -> None:
+    """Pulling the curve, the reach of a λ, curvature, and the basis."""
+    window = opened("figure-10", Theme.LIGHT)
+    start = window.selection.item.curve(8.5)
+    drag(window, tuple(start), tuple(start + [0.5, 0.35]))
+    keep(window.canvas, "pull")
+
+    window = opened("figure-10", Theme.LIGHT)
+    send_mouse(window, QEvent.Type.MouseMove, tuple(window.selection.item.curve.joints[7]))
+    keep(window.canvas, "reach")
+
+    window = opened("figure-10", Theme.LIGHT)
+    for name in ("show_comb", "show_marks", "show_circle"):
+        window.actions_by_name[name].setChecked(True)
+    show_tab(window, "curvature")
+    send_mouse(window, QEvent.Type.MouseMove, tuple(window.selection.item.curve(8.3)))
+    keep(window, "curvature")
+
+    window = opened("figure-10", Theme.DARK)
+    window.selection.select(segments={2})
+    show_tab(window, "basis")
+    send_mouse(window, QEvent.Type.MouseMove, tuple(window.selection.item.curve(2.8)))
+    keep(window, "basis")
+
+
+def dialog_pictures() -> None:
+    """The gallery, and a known curve being inserted."""
+    window = opened("figure-10", Theme.LIGHT)
     gallery = GalleryDialog(window)
     gallery.show()
     keep(gallery, "gallery")
+
+    window.document.start(Drawing())
+    window.canvas.fit()
+    window.actions_by_name["insert_trochoid"].trigger()
+    dialog = window.findChild(InsertDialog)
+    QApplication.processEvents()
+    picture = window.grab()
+    painter = QPainter(picture)
+    painter.drawPixmap(60, 150, dialog.grab())
+    painter.end()
+    picture.save(str(HERE / "insert.png"))
+    dialog.reject()
+
+
+def main() -> None:
+    app = QApplication(["theditor"])
+    app.setStyle("Fusion")
+    window_pictures()
+    shaping_pictures()
+    dialog_pictures()
 
 
 if __name__ == "__main__":
