@@ -8,7 +8,7 @@ import pytest
 from hand import SHIFT
 from PySide6.QtCore import QPoint, QSettings, Qt, QTimer
 from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QApplication, QLineEdit, QMessageBox
+from PySide6.QtWidgets import QApplication, QLineEdit, QMenu, QMessageBox
 
 from theditor.app.ask import where_to_save
 from theditor.app.problems import catch_everything
@@ -197,12 +197,13 @@ def test_recent_files_are_offered(window, tmp_path, monkeypatch):
     for name in ("a.json", "b.json", "a.json"):
         save_to(monkeypatch, tmp_path / name)
         trigger(window, "save_as")
-    window._recent.aboutToShow.emit()
-    assert [a.text() for a in window._recent.actions()] == [str(tmp_path / n) for n in ("a.json", "b.json")]
+    recent = window.findChild(QMenu, "recent")
+    recent.aboutToShow.emit()
+    assert [a.text() for a in recent.actions()] == [str(tmp_path / n) for n in ("a.json", "b.json")]
     (tmp_path / "b.json").unlink()
-    window._recent.aboutToShow.emit()
-    assert len(window._recent.actions()) == 1
-    window._recent.actions()[0].trigger()
+    recent.aboutToShow.emit()
+    assert len(recent.actions()) == 1
+    recent.actions()[0].trigger()
     assert window.document.path == tmp_path / "a.json"
 
 

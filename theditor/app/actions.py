@@ -104,23 +104,23 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
         return Command(name, "Curve", text, tip, lambda: window.change_lambdas(dialog), gap=gap)
 
     return (
-        Command("new", "File", "&New", "Start an empty drawing", window.new, (_Standard.New,)),
-        Command("open", "File", "&Open…", "Open a drawing from a file", window.open, (_Standard.Open,)),
+        Command("new", "File", "&New", "Start an empty drawing", window.files.new, (_Standard.New,)),
+        Command("open", "File", "&Open…", "Open a drawing from a file", window.files.open, (_Standard.Open,)),
         Command(
             "gallery",
             "File",
             "Open &gallery…",
             "Choose one of the paper's figures or a known curve from pictures",
-            window.open_gallery,
+            window.files.open_gallery,
             ("Ctrl+G",),
         ),
-        Command("save", "File", "&Save", "Save the drawing", window.save, (_Standard.Save,), gap=True),
+        Command("save", "File", "&Save", "Save the drawing", window.files.save, (_Standard.Save,), gap=True),
         Command(
             "save_as",
             "File",
             "Save &as…",
             "Save the drawing to another file",
-            window.save_as,
+            window.files.save_as,
             (_Standard.SaveAs, "Ctrl+Shift+S"),
         ),
         Command(
@@ -243,7 +243,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "Help",
             "&Gallery…",
             "Choose one of the paper's figures or a known curve, with what to try on it",
-            window.open_gallery,
+            window.files.open_gallery,
         ),
         Command("about", "Help", "&About theditor", "Version, licence and the paper behind it", window.about),
     )

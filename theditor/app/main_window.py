@@ -6,34 +6,27 @@ from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QSettings, QSize, Qt, QTimer
-from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeySequence
+from PySide6.QtGui import QCloseEvent, QKeySequence
 from PySide6.QtWidgets import (
-    QAbstractSpinBox,
     QApplication,
-    QDockWidget,
     QLabel,
-    QLineEdit,
     QMainWindow,
-    QMenu,
     QMessageBox,
     QTabWidget,
-    QToolBar,
     QVBoxLayout,
     QWidget,
 )
 
-from theditor.app import ask
-from theditor.app.actions import commands, make_action
+from theditor.app.actions import commands
 from theditor.app.docks import add_dock, scrolling_column
-from theditor.app.gallery_dialog import GalleryDialog
+from theditor.app.files import Files
 from theditor.app.insert_dialog import InsertDialog
 from theditor.app.lambda_dialogs import LambdaDialog
-from theditor.app.problems import MessageBar, log
-from theditor.app.recent import recent_files, remember_file
-from theditor.app.theme import Theme, choose_theme, chosen_theme
-from theditor.app.tour import GuideBar, lead
+from theditor.app.menus import build_menus
+from theditor.app.problems import MessageBar
+from theditor.app.tour import GuideBar
 from theditor.canvas import Canvas, Pointed
-from theditor.drawing import DrawingError, Item, load
+from theditor.drawing import Item
 from theditor.model import Document, Selection
 from theditor.panels.basis import BasisPanel
 from theditor.panels.continuity import ContinuityPanel
@@ -44,14 +37,14 @@ from theditor.panels.lambda_strip import LambdaStrip
 from theditor.panels.segment_info import SegmentPanel
 from theditor.panels.segments import SegmentsPanel
 from theditor.panels.shape import ShapePanel
-from theditor.resources import gallery, version
+from theditor.resources import version
 from theditor.spline import MAX_COORDINATE, Curve, Known, Mode
 
 COLUMN_WIDTH = 400
 
 
 class MainWindow(QMainWindow):
-    """One drawing in a window. It starts empty; see `open_path`, `open_picture`, `new`."""
+    """One drawing in a window. It starts empty; see `open_path`, `open_picture`."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -62,8 +55,9 @@ class MainWindow(QMainWindow):
         self.selection = Selection(self.document, self)
         self.canvas = Canvas(self.document, self.selection)
         self.messages, self.guide = MessageBar(), GuideBar()
+        self.files = Files(self)
         self._build_panels()
-        self._build_commands()
+        self.actions_by_name = build_menus(self, commands(self))
         self._build_status_line()
         self._follow()
         self._restore_layout()
@@ -112,49 +106,6 @@ class MainWindow(QMainWindow):
         tabs[0].raise_()
         self.resizeDocks([properties], [COLUMN_WIDTH], Qt.Orientation.Horizontal)
         self.resizeDocks(tabs[:1], [196], Qt.Orientation.Vertical)
-
-    def _build_commands(self) -> None:
-        self.actions_by_name: dict[str, QAction] = {}
-        toolbar = QToolBar("Toolbar")
-        toolbar.setObjectName("toolbar")
-        toolbar.setMovable(False)
-        toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
-        self.addToolBar(toolbar)
-        menus: dict[str, QMenu] = {}
-        group = ""
-        for command in commands(self):
-            menu = menus.get(command.menu) or self.menuBar().addMenu("&" + command.menu)
-            menus[command.menu] = menu
-            if command.gap:
-                menu.addSeparator()
-            action = make_action(self, command)
-            self.actions_by_name[command.name] = action
-            menu.addAction(action)
-            if command.brief:
-                part = command.name.split("_")[0]
-                if group and part != group and not {part, group} <= {"undo", "redo"}:
-                    toolbar.addSeparator()
-                group = part
-                toolbar.addAction(action)
-        self._recent = QMenu("Open &recent", self)
-        self._recent.aboutToShow.connect(self._list_recent)
-        menus["File"].insertMenu(self.actions_by_name["gallery"], self._recent)
-        self._build_view_menu(menus["View"])
-
-    def _build_view_menu(self, menu: QMenu) -> None:
-        menu.addSeparator()
-        themes = menu.addMenu("&Theme")
-        choice = QActionGroup(self)
-        for theme, text in ((Theme.SYSTEM, "&System"), (Theme.LIGHT, "&Light"), (Theme.DARK, "&Dark")):
-            action = themes.addAction(text)
-            action.setObjectName(f"theme_{theme}")
-            action.setCheckable(True)
-            action.setChecked(theme is chosen_theme())
-            action.triggered.connect(lambda _checked=False, theme=theme: choose_theme(theme))
-            choice.addAction(action)
-        panels = menu.addMenu("&Panels")
-        for dock in self.findChildren(QDockWidget):
-            panels.addAction(dock.toggleViewAction())
 
     def _build_status_line(self) -> None:
         bar = self.statusBar()
@@ -246,100 +197,17 @@ class MainWindow(QMainWindow):
 
     # Files
 
-    def new(self) -> None:
-        """Start an empty drawing, once the old one may go."""
-        if self.may_discard():
-            self.document.start(type(self.document.drawing)())
-            self.canvas.fit()
-
-    def open(self) -> None:
-        """Ask for a file and open it."""
-        if self.may_discard():
-            path = self.document.path
-            chosen = ask.which_to_open(self, path.parent if path else None)
-            if chosen is not None:
-                self.open_path(chosen)
-
     def open_path(self, path: Path) -> bool:
         """Open a file; if it cannot be read, say why and keep the drawing."""
-        try:
-            self.document.open(path)
-        except DrawingError as error:
-            self._report(error)
-            return False
-        remember_file(path)
-        self.messages.hide()
-        self.canvas.fit()
-        return True
-
-    def open_gallery(self) -> None:
-        """Let the user choose a picture from the gallery and open a copy of it."""
-        if self.may_discard():
-            dialog = GalleryDialog(self)
-            if dialog.exec() and dialog.chosen is not None:
-                lead(self, dialog.chosen)
+        return self.files.open_path(path)
 
     def open_picture(self, name: str) -> None:
         """Open a copy of a gallery picture; saving it asks for a file."""
-        picture = next(picture for picture in gallery() if picture.name == name)
-        self.document.start(load(picture.path), picture.title.split(" · ")[0])
-        self.messages.hide()
-        self.canvas.fit()
-
-    def save(self) -> bool:
-        """Save to the document's file, or ask for one."""
-        self._settle()
-        if self.document.path is None:
-            return self.save_as()
-        return self._save_to(self.document.path)
-
-    def save_as(self) -> bool:
-        """Ask for a file and save to it."""
-        self._settle()
-        suggestion = self.document.path or Path(f"{self.document.title}.json")
-        path = ask.where_to_save(self, suggestion)
-        return path is not None and self._save_to(path)
-
-    def _settle(self) -> None:
-        """Finish what is being typed or dragged: it belongs to the drawing that is saved or closed."""
-        editor = self.focusWidget()
-        if isinstance(editor, QLineEdit | QAbstractSpinBox):
-            editor.clearFocus()
-            editor.setFocus()
-        self.document.settle()
-
-    def _save_to(self, path: Path) -> bool:
-        try:
-            self.document.save(path)
-        except DrawingError as error:
-            self._report(error)
-            return False
-        remember_file(path)
-        self.messages.hide()
-        self.announce(f"Saved {path}")
-        return True
+        self.files.open_picture(name)
 
     def may_discard(self) -> bool:
         """Whether the drawing may go: nothing is unsaved, or the user saved it or gave it up."""
-        self._settle()
-        if self.document.is_clean:
-            return True
-        answer, button = ask.whether_to_save(self, self.document.title), QMessageBox.StandardButton
-        return answer == button.Discard or (answer == button.Save and self.save())
-
-    def _list_recent(self) -> None:
-        self._recent.clear()
-        for path in recent_files():
-            action = self._recent.addAction(str(path).replace("&", "&&"))
-            action.triggered.connect(
-                lambda _checked=False, path=path: self.may_discard() and self.open_path(path)
-            )
-        if self._recent.isEmpty():
-            self._recent.addAction("No files yet").setEnabled(False)
-
-    def _report(self, error: DrawingError) -> None:
-        log.warning("%s", error)
-        self.messages.tell(str(error))
+        return self.files.may_discard()
 
     # Editing
 
@@ -381,7 +249,7 @@ class MainWindow(QMainWindow):
         try:
             dialog(self.document, self.selection, self).open()
         except ValueError as error:
-            self.statusBar().showMessage(str(error), 8000)
+            self.announce(str(error))
 
     def reverse(self) -> None:
         """Run through the current curve the other way; its shape stays."""

@@ -1,0 +1,123 @@
+"""A window's dealings with files: what it opens, where it saves, and what it asks before a drawing goes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QAbstractSpinBox, QLineEdit, QMenu, QMessageBox
+
+from theditor.app import ask
+from theditor.app.gallery_dialog import GalleryDialog
+from theditor.app.problems import log
+from theditor.app.recent import recent_files, remember_file
+from theditor.app.tour import lead
+from theditor.drawing import Drawing, DrawingError, load
+from theditor.resources import gallery
+
+if TYPE_CHECKING:
+    from theditor.app.main_window import MainWindow
+
+
+class Files:
+    """Opens and saves the drawing of one window, and tells there what goes wrong."""
+
+    def __init__(self, window: MainWindow) -> None:
+        self._window = window
+
+    def new(self) -> None:
+        """Start an empty drawing, once the old one may go."""
+        if self.may_discard():
+            self._window.document.start(Drawing())
+            self._window.canvas.fit()
+
+    def open(self) -> None:
+        """Ask for a file and open it."""
+        if self.may_discard():
+            path = self._window.document.path
+            chosen = ask.which_to_open(self._window, path.parent if path else None)
+            if chosen is not None:
+                self.open_path(chosen)
+
+    def open_path(self, path: Path) -> bool:
+        """Open a file; if it cannot be read, say why and keep the drawing."""
+        try:
+            self._window.document.open(path)
+        except DrawingError as error:
+            self._report(error)
+            return False
+        remember_file(path)
+        self._window.messages.hide()
+        self._window.canvas.fit()
+        return True
+
+    def open_gallery(self) -> None:
+        """Let the user choose a picture from the gallery and open a copy of it."""
+        if self.may_discard():
+            dialog = GalleryDialog(self._window)
+            if dialog.exec() and dialog.chosen is not None:
+                lead(self._window, dialog.chosen)
+
+    def open_picture(self, name: str) -> None:
+        """Open a copy of a gallery picture; saving it asks for a file."""
+        picture = next(picture for picture in gallery() if picture.name == name)
+        self._window.document.start(load(picture.path), picture.title.split(" · ")[0])
+        self._window.messages.hide()
+        self._window.canvas.fit()
+
+    def save(self) -> bool:
+        """Save to the document's file, or ask for one."""
+        self._settle()
+        path = self._window.document.path
+        return self.save_as() if path is None else self._save_to(path)
+
+    def save_as(self) -> bool:
+        """Ask for a file and save to it."""
+        self._settle()
+        document = self._window.document
+        suggestion = document.path or Path(f"{document.title}.json")
+        path = ask.where_to_save(self._window, suggestion)
+        return path is not None and self._save_to(path)
+
+    def may_discard(self) -> bool:
+        """Whether the drawing may go: nothing is unsaved, or the user saved it or gave it up."""
+        self._settle()
+        document = self._window.document
+        if document.is_clean:
+            return True
+        answer, button = ask.whether_to_save(self._window, document.title), QMessageBox.StandardButton
+        return answer == button.Discard or (answer == button.Save and self.save())
+
+    def list_recent(self, menu: QMenu) -> None:
+        """Fill a menu with the files used last."""
+        menu.clear()
+        for path in recent_files():
+            action = menu.addAction(str(path).replace("&", "&&"))
+            action.triggered.connect(
+                lambda _checked=False, path=path: self.may_discard() and self.open_path(path)
+            )
+        if menu.isEmpty():
+            menu.addAction("No files yet").setEnabled(False)
+
+    def _settle(self) -> None:
+        """Finish what is being typed or dragged: it belongs to the drawing that is saved or closed."""
+        editor = self._window.focusWidget()
+        if isinstance(editor, QLineEdit | QAbstractSpinBox):
+            editor.clearFocus()
+            editor.setFocus()
+        self._window.document.settle()
+
+    def _save_to(self, path: Path) -> bool:
+        try:
+            self._window.document.save(path)
+        except DrawingError as error:
+            self._report(error)
+            return False
+        remember_file(path)
+        self._window.messages.hide()
+        self._window.announce(f"Saved {path}")
+        return True
+
+    def _report(self, error: DrawingError) -> None:
+        log.warning("%s", error)
+        self._window.messages.tell(str(error))
