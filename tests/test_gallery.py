@@ -2,6 +2,7 @@
 
 import importlib.util
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -54,7 +55,9 @@ def test_every_file_is_listed_and_is_what_the_script_writes():
 def test_every_picture_has_a_title_and_says_what_it_shows():
     assert list(PICTURES)[:10] == [f"figure-{number:02}" for number in range(1, 11)]
     assert len({picture.title for picture in PICTURES.values()}) == len(PICTURES)
-    assert all(picture.about.endswith(".") for picture in PICTURES.values())
+    for picture in PICTURES.values():
+        assert len(re.findall(r"\.(?= |$)", picture.about)) == 2, picture.about
+        assert len(picture.about) < 300
 
 
 def test_the_installed_package_is_asked_before_the_repository(tmp_path, monkeypatch):

@@ -42,7 +42,7 @@ class GalleryDialog(QDialog):
         self._about = QLabel()
         self._about.setWordWrap(True)
         self._about.setProperty("role", "secondary")
-        self._about.setMinimumHeight(2 * self.fontMetrics().lineSpacing() + 4)
+        self._about.setMinimumHeight(3 * self.fontMetrics().lineSpacing() + 4)
         self._about.setAlignment(Qt.AlignmentFlag.AlignTop)
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Open | QDialogButtonBox.StandardButton.Cancel
