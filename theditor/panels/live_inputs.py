@@ -22,6 +22,7 @@ _SLIDER_STYLE = """
 QSlider::groove { height: 5px; border-radius: 2px; background: palette(mid); }
 QSlider::sub-page { border-radius: 2px; background: palette(accent); }
 QSlider::handle { width: 15px; margin: -5px 0; border-radius: 7px; background: palette(accent); }
+QSlider::handle:focus { border: 2px solid palette(text); width: 11px; }
 """
 
 

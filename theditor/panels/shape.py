@@ -33,7 +33,7 @@ _MODE_TIPS = {
     Mode.HYPERBOLIC: "Hyperbolic: λ = 1",
     Mode.INTERPOLATING: "Interpolating: λ = λ*, the curve meets its control points",
 }
-_LINKED_TIP = "Shows the mean of the linked λ; moving it moves all of them by as much."
+_LINKED_TIP = "Shows the mean of the linked λ; moving it moves all of them by as much. "
 _LINK_TIP = "Link λ: slider and field show their mean and move all by as much, so that differences stay."
 _ALL_TIP = "Act on every λ of the curve: takes the selection of points and segments away."
 MOST_HOVERED = 4
@@ -62,20 +62,9 @@ class ShapePanel(QWidget):
         self._heading = heading("SHAPE", capitals=False)
         self.slider = LambdaSlider()
         self.field = NumberField(-MAX_LAMBDA, MAX_LAMBDA)
-        self.mode_buttons = {mode: QToolButton() for mode in words.MODE_LETTERS}
-        for mode, button in self.mode_buttons.items():
-            button.setText(words.MODE_LETTERS[mode])
-            button.setCheckable(True)
-            button.clicked.connect(lambda _=False, mode=mode: self.set_mode(mode))
-        self.link_button = QToolButton()
-        self.link_button.setText("Link")
-        self.link_button.setCheckable(True)
-        self.link_button.toggled.connect(self._link)
+        self.mode_buttons = {mode: _toggle(letter) for mode, letter in words.MODE_LETTERS.items()}
+        self.link_button, self.all_button = _toggle("Link"), _toggle("All")
         describe(self.link_button, "Link λ: keep their differences", _LINK_TIP)
-        self.all_button = QToolButton()
-        self.all_button.setText("All")
-        self.all_button.setCheckable(True)
-        self.all_button.clicked.connect(self._act_on_all)
         label = QLabel("λ")
         label.setBuddy(self.field)
 
@@ -99,6 +88,10 @@ class ShapePanel(QWidget):
         self.field.entered.connect(self._set)
         self.field.stepped.connect(self._step)
         self.field.refused.connect(self._refuse)
+        for mode, button in self.mode_buttons.items():
+            button.clicked.connect(lambda _=False, mode=mode: self.set_mode(mode))
+        self.link_button.toggled.connect(self._link)
+        self.all_button.clicked.connect(self._act_on_all)
         document.changed.connect(self._follow)
         selection.changed.connect(self._follow)
         self._follow()
@@ -141,8 +134,8 @@ class ShapePanel(QWidget):
         self._show_values()
 
     def _step(self, count: int, fine: bool = False) -> None:
-        model, linked = (self._document, self._selection), self._linked
-        step_lambdas(*model, self._targets, count, fine=fine, linked=linked)
+        model = self._document, self._selection
+        step_lambdas(*model, self._targets, count, fine=fine, linked=self._linked)
 
     def set_mode(self, mode: Mode) -> None:
         """Give the λ that the controls act on the value of a mode."""
@@ -185,49 +178,54 @@ class ShapePanel(QWidget):
 
     def _show_scope(self) -> None:
         """Say which λ the controls act on, and disable them, with the reason, if there is nothing to do."""
-        item, selection = self._selection.item, self._selection
-        reason, title = obstacle(selection), ""
-        if item is not None:
-            indices = selection.lambda_indices().tolist()
-            if selection.points:
-                title = f"{words.symbols('λ', indices)} ({words.counted(len(indices), 'point')} selected)"
-            elif selection.segments:
-                named = words.segments_named(item.curve, selection.segments)
-                title = f"{words.symbols('λ', indices)} ({named})" if indices else f"({named})"
-            else:
-                title = "all λ"
-        self._heading.setText(f"SHAPE · {title}" if title else "SHAPE")
+        selection, reason = self._selection, obstacle(self._selection)
+        self._heading.setText(_title(selection))
         self.slider.setEnabled(not reason)
         self.field.setEnabled(not reason)
-        shown, together = (
-            ("Mean of the linked λ", f"{_LINKED_TIP} ") if self._linked else ("Shape parameter λ", "")
-        )
-        describe(self.slider, f"{shown}, slider", reason or together + _SLIDER_TIP)
-        describe(self.field, f"{shown}, exact", reason or together + _FIELD_TIP)
+        shown, tip = ("Mean of the linked λ", _LINKED_TIP) if self._linked else ("Shape parameter λ", "")
+        describe(self.slider, f"{shown}, slider", reason or tip + _SLIDER_TIP)
+        describe(self.field, f"{shown}, exact", reason or tip + _FIELD_TIP)
         for mode, button in self.mode_buttons.items():
             button.setEnabled(not reason)
             describe(button, f"Make λ {mode.value}", reason or _MODE_TIPS[mode])
-        all_chosen = item is not None and not selection.points and not selection.segments
-        self.all_button.setChecked(all_chosen)
-        self.all_button.setEnabled(item is not None)
-        describe(
-            self.all_button, "Act on every λ", "The controls act on every λ." if all_chosen else _ALL_TIP
-        )
+        on_all = not selection.points and not selection.segments
+        self.all_button.setEnabled(selection.item is not None)
+        self.all_button.setChecked(on_all and selection.item is not None)
+        describe(self.all_button, "Act on every λ", "The controls act on every λ." if on_all else _ALL_TIP)
 
     def _show_values(self) -> None:
         curve = self._curve
-        if curve is None:
-            self.slider.show_values([], 3)
-            self.field.show_value(None)
-            return
+        degree = curve.degree if curve is not None else 3
         shown = self._targets if self._targets.size else self._selection.lambda_indices()
-        values = curve.lambdas[shown]
+        values = curve.lambdas[shown] if curve is not None else np.empty(0)
         common = float(values[0]) if values.size and (values == values[0]).all() else None
         middle = mean(values) if values.size and self._linked else None
-        self.slider.show_values(values, curve.degree, middle)
+        self.slider.show_values(values, degree, middle)
         self.field.show_value(common if middle is None else middle)
         for mode, button in self.mode_buttons.items():
-            button.setChecked(common == lambda_of(mode, curve.degree))
+            button.setChecked(common == lambda_of(mode, degree))
+
+
+def _title(selection: Selection) -> str:
+    """Say which λ the controls act on."""
+    if selection.item is None:
+        return "SHAPE"
+    indices = selection.lambda_indices().tolist()
+    if selection.points:
+        what = f"{words.symbols('λ', indices)} ({words.counted(len(indices), 'point')} selected)"
+    elif selection.segments:
+        named = words.segments_named(selection.item.curve, selection.segments)
+        what = f"{words.symbols('λ', indices)} ({named})".lstrip()
+    else:
+        what = "all λ"
+    return f"SHAPE · {what}"
+
+
+def _toggle(text: str) -> QToolButton:
+    button = QToolButton()
+    button.setText(text)
+    button.setCheckable(True)
+    return button
 
 
 def _kind(curve: Curve) -> tuple[object, ...]:
