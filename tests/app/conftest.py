@@ -8,6 +8,12 @@ from theditor.app.main_window import MainWindow
 from theditor.app.theme import Theme, apply_theme
 
 
+def leave_unasked(window):
+    """Let a window with unsaved changes go without its question, which nobody would answer."""
+    window.document.settle()
+    window.document.undo_stack.setClean()
+
+
 @pytest.fixture
 def window(qtbot, monkeypatch):
     app = QApplication.instance()
@@ -16,7 +22,7 @@ def window(qtbot, monkeypatch):
     app.setStyle("Fusion")
     apply_theme(Theme.LIGHT)
     window = MainWindow()
-    qtbot.addWidget(window, before_close_func=lambda w: w.document.undo_stack.setClean())
+    qtbot.addWidget(window, before_close_func=leave_unasked)
     window.open_picture("figure-10")
     with qtbot.waitExposed(window):
         window.show()
