@@ -64,8 +64,8 @@ def round_range(low: float, high: float, most: int) -> tuple[Range, Floats]:
     step = round_step(high - low, most)
     fine = step / 5
     ends = float(np.floor(low / fine + 1e-9) * fine), float(np.ceil(high / fine - 1e-9) * fine)
-    ticks = np.arange(np.ceil(ends[0] / step - 1e-9), np.floor(ends[1] / step + 1e-9) + 1) * step + 0.0  # no −0
-    return ends, ticks
+    first, last = np.ceil(ends[0] / step - 1e-9), np.floor(ends[1] / step + 1e-9)
+    return ends, np.arange(first, last + 1) * step + 0.0  # no −0
 
 
 def paint_axes(
