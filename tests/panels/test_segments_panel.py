@@ -188,6 +188,15 @@ def test_only_visible_rows_of_a_long_curve_are_named(show, monkeypatch):
         asked.extend(segments)
         return recognise_segments(curve, segments)
 
+    counted = []
+
+    row_count = segment_model.SegmentModel.rowCount
+
+    def count_rows(model, parent=segment_model.NO_INDEX):
+        counted.append(1)
+        return row_count(model, parent)
+
+    monkeypatch.setattr(segment_model.SegmentModel, "rowCount", count_rows)
     monkeypatch.setattr(segment_model, "recognise_segments", recognised)
     curve = some_curve([0.0] * 100_000)
     document = Document(Drawing([Item(curve)]))
@@ -195,9 +204,11 @@ def test_only_visible_rows_of_a_long_curve_are_named(show, monkeypatch):
     panel.list.grab()
     assert 10 < len(asked) == len(set(asked)) < 50
     asked.clear()
+    counted.clear()
     document.apply_curve("Move", 0, curve.with_points(4, [[9, 9]]))
     panel.list.grab()
     assert sorted(asked) == [1, 2, 3, 4]
+    assert len(counted) < 200  # a list view that lays all its rows out anew asks once a row
     panel.list.scrollToBottom()
     panel.list.grab()
     assert max(asked) == curve.segment_count - 1

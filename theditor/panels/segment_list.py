@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import (
     QEvent,
     QModelIndex,
@@ -15,7 +17,7 @@ from PySide6.QtCore import (
     Signal,
 )
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPen, QPolygonF
-from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from theditor.model import Colours, colours_for
 from theditor.model.words import MODE_LETTERS
@@ -60,6 +62,10 @@ class SegmentList(RowList):
         self.editable = True
         self.hot: tuple[int, Mode] | None = None
         self.pressed_cell: tuple[int, Mode] | None = None
+
+    def dataChanged(self, first: ModelIndex, last: ModelIndex, roles: Sequence[int] = ()) -> None:
+        """Repaint, without the layout of all rows anew that a list view goes for: they are all as high."""
+        QAbstractItemView.dataChanged(self, first, last, list(roles))
 
     def cell_at(self, position: QPoint) -> tuple[int, Mode] | None:
         """Row and mode of the button at a place in the viewport."""
