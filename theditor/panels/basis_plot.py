@@ -68,7 +68,7 @@ class SegmentBasis:
         negative = self.negative()
         title = f"Segment {number}, {self.mode.value}"
         if negative:
-            title += f" · {listed(negative)} {'is' if len(negative) == 1 else 'are'} negative in part"
+            title += f" · {listed(negative)} negative in part"
         return title
 
 
