@@ -52,7 +52,7 @@ def halves(coefficients: Floats) -> tuple[Floats, Floats]:
 
 
 def value(coefficients: Floats, t: Floats) -> Floats:
-    """Return each polynomial's value at its own parameter: (…, n + 1) at (…,) gives (…,)."""
+    """Return each polynomial's value at its own parameter, (…, n + 1) at (…,) giving (…,), for n ≥ 1."""
     n = coefficients.shape[-1] - 1
     binomials = _binomials(n)
     power = np.ones_like(t)

@@ -11,6 +11,7 @@ from theditor.spline.roots import sign_changes
 from theditor.spline.turns import grain, speed_scale
 
 _STEPS = 50  # of Newton's method
+_CLOSE = 4e-16  # steps of t that are none
 _BLOCK = 256  # segments at a time: the best found in one rules out most of the next
 
 
@@ -104,6 +105,7 @@ def _local_minima(
 ) -> tuple[Floats, Floats, NDArray[np.intp]]:
     """Return t, distance and row of all points of some segments that may be nearest, and nearer than `best`."""
     segments = joints.take_segments(curve, block)
+    rounding = grain(segments)
     segments = segments._replace(start=segments.start - target[:, None], end=segments.end - target[:, None])
     offset = bernstein.polynomials(segments, curve.degree)
     square = np.sum([bernstein.product(x, x) for x in offset], axis=0)
@@ -117,12 +119,12 @@ def _local_minima(
     every = np.arange(len(rows))
     at = np.concatenate((inner, every, every))
     t = np.concatenate((found.t[found.rising], np.zeros(len(rows)), np.ones(len(rows))))
-    t = _approached(segments.take(at), t, curve.degree)
+    t = _approached(segments.take(at), t, curve.degree, rounding[rows[at]])
     apart = joints.evaluate(segments.take(at), t, curve.degree, 0)
     return t, np.linalg.norm(apart, axis=0), rows[at]
 
 
-def _approached(segments: joints.Segments, t: Floats, degree: int) -> Floats:
+def _approached(segments: joints.Segments, t: Floats, degree: int, noise: Floats) -> Floats:
     """Return parameters at which the segments come as near to the origin as they do around t.
 
     Near a cusp the polynomials know a minimum to some 1e-5 only; Newton's method, with factors computed
@@ -134,8 +136,9 @@ def _approached(segments: joints.Segments, t: Floats, degree: int) -> Floats:
         steep = np.einsum("dk,dk->k", velocity, velocity) + np.einsum("dk,dk->k", offset, bend)
         new = np.clip(t - np.divide(slope, steep, out=np.zeros_like(t), where=steep > 0), 0, 1)
         moved = joints.evaluate(segments, new, degree, 0)
-        better = np.einsum("dk,dk->k", moved, moved) < np.einsum("dk,dk->k", offset, offset)
-        if not better.any():
-            break
-        t = np.where(better, new, t)
+        # At a minimum distances tell little of t, so they may grow by their rounding.
+        new = np.where(np.linalg.norm(moved, axis=0) <= np.linalg.norm(offset, axis=0) + noise, new, t)
+        if np.all(np.abs(new - t) <= _CLOSE):
+            return new
+        t = new
     return t

@@ -1,5 +1,7 @@
 """Arc length, and its inverse."""
 
+from functools import reduce
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -30,7 +32,7 @@ def arc_length(
         If a parameter lies outside the domain, u1 is less than u0, or `accuracy` is not a positive number.
     """
     check_accuracy(accuracy)
-    return float(integrals(curve, *pieces(*clean_interval(curve, u0, u1)), _speed, accuracy).sum())
+    return float(_lengths(curve, *pieces(*clean_interval(curve, u0, u1)), accuracy).sum())
 
 
 def arc_lengths(curve: Curve, u: ArrayLike | None = None, accuracy: float = 1e-9) -> Floats:
@@ -56,12 +58,12 @@ def arc_lengths(curve: Curve, u: ArrayLike | None = None, accuracy: float = 1e-9
     """
     check_accuracy(accuracy)
     count = curve.segment_count
-    whole = np.concatenate(([0.0], np.cumsum(integrals(curve, np.arange(count), 0.0, 1.0, _speed, accuracy))))
+    whole = np.concatenate(([0.0], np.cumsum(_lengths(curve, np.arange(count), 0.0, 1.0, accuracy))))
     if u is None:
         return whole
     places = clean_parameters(curve, u)
     segments = np.minimum(places.ravel().astype(np.intp), count - 1)
-    part = integrals(curve, segments, 0.0, places.ravel() - segments, _speed, accuracy)
+    part = _lengths(curve, segments, 0.0, places.ravel() - segments, accuracy)
     return (whole[segments] + part).reshape(places.shape)
 
 
@@ -103,7 +105,7 @@ def parameter_at(curve: Curve, length: ArrayLike, accuracy: float = 1e-9) -> Flo
     active: NDArray[np.intp] = np.flatnonzero((t > 0) & (t < 1))
     for _ in range(_STEPS):
         here, at = t[active], segments[active]
-        miss = integrals(curve, at, 0.0, here, _speed, own) - goal[active]
+        miss = _lengths(curve, at, 0.0, here, own) - goal[active]
         open_ = np.abs(miss) > whole[-1] * own
         active, here, miss, at = active[open_], here[open_], miss[open_], at[open_]
         if not len(active):
@@ -119,7 +121,11 @@ def parameter_at(curve: Curve, length: ArrayLike, accuracy: float = 1e-9) -> Flo
     return np.asarray(segments + t).reshape(lengths.shape)
 
 
+def _lengths(
+    curve: Curve, segments: NDArray[np.intp], start: ArrayLike, end: ArrayLike, accuracy: float
+) -> Floats:
+    return integrals(curve, segments, start, end, _speed, accuracy, bounded=True)
+
+
 def _speed(derivatives: Derivatives) -> Floats:
-    velocity = derivatives(1)
-    speed: Floats = np.sqrt(np.einsum("dnk,dnk->nk", velocity, velocity))
-    return speed
+    return np.asarray(reduce(np.hypot, derivatives(1)))  # no square under- or overflows

@@ -18,7 +18,10 @@ Derivatives = Callable[[int], Floats]
 Integrand = Callable[[Derivatives], Floats]
 """What is integrated, (n, k), as a function of the curve's derivatives."""
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
+# Gauss–Lobatto, so that no cusp near the end of an interval, beyond its outermost node, goes unseen.
+_LEGENDRE = np.polynomial.Legendre.basis(9)
+_NODES = np.concatenate(([-1.0], np.sort(_LEGENDRE.deriv().roots()), [1.0]))
+_WEIGHTS = 2 / (90 * _LEGENDRE(_NODES) ** 2)
 _BLOCK = 4096
 _DEPTH = 50  # halvings: beyond them an integrand has no integral
 _MOST = 64  # parts of one segment open at a time
@@ -32,11 +35,12 @@ def integrals(
     end: ArrayLike,
     integrand: Integrand,
     accuracy: float,
+    bounded: bool = False,
 ) -> Floats:
     """Return the integral of a function over part of each segment, (k,).
 
-    Gauss–Legendre rules of ten nodes; every part is halved until rule and halves agree. Infinite where they
-    never do, as at a pole.
+    Gauss–Lobatto rules of ten nodes; every part is halved until rule and halves agree. Where they never do,
+    as at a pole, the integral is infinite.
 
     Parameters
     ----------
@@ -48,11 +52,13 @@ def integrals(
         Not negative.
     accuracy : float
         Largest error, relative to the value.
+    bounded : bool
+        Whether the integrand has no poles: what rounding keeps from settling then counts as it stands.
     """
     start = np.broadcast_to(np.asarray(start, dtype=np.float64), segments.shape)
     end = np.broadcast_to(np.asarray(end, dtype=np.float64), segments.shape)
     blocks = [slice(first, first + _BLOCK) for first in range(0, len(segments), _BLOCK)]
-    parts = [_block(curve, segments[b], start[b], end[b], integrand, accuracy) for b in blocks]
+    parts = [_block(curve, segments[b], start[b], end[b], integrand, accuracy, bounded) for b in blocks]
     return np.concatenate(parts) if parts else np.empty(0)
 
 
@@ -69,6 +75,7 @@ def _block(
     end: Floats,
     integrand: Integrand,
     accuracy: float,
+    bounded: bool,
 ) -> Floats:
     parts = joints.take_segments(curve, segments)
     row = np.arange(len(segments))
@@ -86,7 +93,8 @@ def _block(
             open_ = ~(error <= np.maximum(allowed, _ROUNDING * size[row]))
         # A pole, or one to rounding: a single bad place leaves one or two parts open, noise ever more.
         hopeless = open_ & ((depth == _DEPTH) | (np.bincount(row, open_, len(total))[row] > _MOST))
-        both[hopeless] = np.inf
+        if not bounded:
+            both[hopeless] = np.inf
         open_ &= ~hopeless
         np.add.at(total, row[~open_], both[~open_])
         if not open_.any():

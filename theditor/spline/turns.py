@@ -64,27 +64,43 @@ def straight(segments: Segments, degree: int) -> NDArray[np.bool_]:
 
 
 def turns(segments: Segments, degree: int) -> tuple[Floats, Floats]:
-    """Return C' × C'' of plane segments, (k, n + 1), and its rounding, (k,)."""
+    """Return C' × C'' of plane segments brought to one size, (k, n + 1), and its rounding, (k,)."""
+    segments = _enlarged(segments)
     velocity, bend = (bernstein.polynomials(segments, degree, nu) for nu in (1, 2))
-    return _crossed(velocity, bend)[0], 8 * grain(segments) * speed_scale(segments)
+    return _crossed(velocity, bend)[0], 8 * grain(segments) * _most(velocity, bend)
 
 
 def turns_and_growth(segments: Segments, degree: int) -> Turn:
-    """Return what the curvature of segments is made of, and what tells whether it grows.
+    """Return what the curvature of segments, brought to one size, is made of, and what tells whether it grows.
 
     With N = C' × C'', the sign of κ' is that of N'|C'|² − 3N(C'·C'').
     """
+    segments = _enlarged(segments)
     velocity, bend, third = (bernstein.polynomials(segments, degree, nu) for nu in (1, 2, 3))
-    size, noise = speed_scale(segments), 8 * grain(segments) * speed_scale(segments)
+    size = _most(velocity, bend, third)
+    noise = 8 * grain(segments) * size
     turn, change = _crossed(velocity, bend), _crossed(velocity, third)
     square, along = _dotted(velocity, velocity), _dotted(velocity, bend)
     if len(velocity) == 2:
         growth = bernstein.product(change[0], square) - 3 * bernstein.product(turn[0], along)
         return Turn(turn[0], noise, growth, 32 * noise * size**2)
-    most = np.abs(turn).max(axis=(0, 2)) + np.abs(change).max(axis=(0, 2))
+    most = _most(turn, change)
     turned = _dotted(turn, turn)
     growth = bernstein.product(_dotted(turn, change), square) - 3 * bernstein.product(turned, along)
     return Turn(turned, noise * (most + noise), growth, 64 * noise * most * size**2)
+
+
+def _enlarged(segments: Segments) -> Segments:
+    """Return the segments at a size of about 1 each, so that no product of lengths under- or overflows."""
+    scale = speed_scale(segments)
+    scale[scale == 0] = 1
+    start, end, bend_start, bend_end = (part / scale for part in segments[:4])
+    return segments._replace(start=start, end=end, bend_start=bend_start, bend_end=bend_end)
+
+
+def _most(*vectors: Floats) -> Floats:
+    """Return the largest coefficient of polynomial vectors, (k,)."""
+    return np.asarray(np.max([np.abs(vector).max(axis=(0, 2)) for vector in vectors], axis=0))
 
 
 def _crossed(a: Floats, b: Floats) -> Floats:
