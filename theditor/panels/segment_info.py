@@ -6,7 +6,6 @@ import math
 from collections import Counter
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton, QWidget
 
@@ -23,7 +22,7 @@ from theditor.model.words import (
 )
 from theditor.panels.parts import Paragraph, column, describe, heading
 from theditor.spline import Curve, Missing, Mode, arc_length, bending_energy, missing, mode_of, recognise
-from theditor.spline.wording import with_article
+from theditor.spline.wording import position, with_article
 
 _HINT = "Select a segment on the curve or in the list."
 _ACCURACY = 1e-7
@@ -100,9 +99,11 @@ def description(curve: Curve, segment: int) -> list[str]:
         what = f"{found.description[:1].upper()}{found.description[1:]}."
         where = found.equation
     else:
-        start, end = curve([segment, segment + 1])
+        ends = curve([segment, segment + 1])
+        rounding = 1e-12 * float(np.abs(ends).max())
+        start, end = (position(point, rounding) for point in ends.tolist())
         what = f"{_in_words(curve, segment)}."
-        where = f"From {_coordinates(start)} to {_coordinates(end)}"
+        where = f"From {start} to {end}"
     points = listed([indexed("P", i) for i in shaping_polygon(curve, segment)])
     return [what, where, f"{_lambdas(curve, segment)} · control points {points}", _measures(curve, segment)]
 
@@ -176,7 +177,3 @@ def _named(value: float, degree: int) -> str:
     if mode_of(value, value, degree) is Mode.INTERPOLATING:
         return f"λ* = {number(value)}"
     return exact(value).replace("-", "−") if len(exact(value)) < 8 else number(value)
-
-
-def _coordinates(point: NDArray[np.float64]) -> str:
-    return f"({', '.join(number(coordinate) for coordinate in point.tolist())})"
