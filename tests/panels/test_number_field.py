@@ -78,7 +78,19 @@ def test_typed_numbers_arrive_when_the_focus_leaves(qtbot, field):
     assert field.text() == "0.123457"
 
 
-@pytest.mark.parametrize("text", ["abc", "", "1e7", "nan", "1..2"])
+@pytest.mark.parametrize(
+    ("text", "number"), [("+1.5", 2.25), ("*2", 1.5), ("/3", 0.25), ("0.75-2", -1.25), ("2/5", 0.4)]
+)
+def test_arithmetic_and_changes_of_the_value_shown(qtbot, field, text, number):
+    field.show_value(0.75)
+    retype(qtbot, field, text)
+    qtbot.keyClick(field, KEY.Key_Return)
+    field.leave()
+    assert field.seen == [number]
+    assert float(field.text()) == number
+
+
+@pytest.mark.parametrize("text", ["abc", "", "1e7", "nan", "1..2", "*1e7", "1/0"])
 def test_bad_text_is_refused_in_words_and_the_old_value_kept(qtbot, field, text):
     field.show_value(0.75)
     retype(qtbot, field, text)
@@ -104,6 +116,10 @@ def test_values_that_differ_show_so_and_take_any_number_even_the_one_last_shown(
     field.setFocus()
     field.leave()
     assert field.seen == []
+    retype(qtbot, field, "+1")
+    with qtbot.waitSignal(field.refused):
+        qtbot.keyClick(field, KEY.Key_Return)
+    assert (field.text(), field.seen) == ("", [])
     retype(qtbot, field, "1")
     qtbot.keyClick(field, KEY.Key_Return)
     assert field.seen == [1.0]

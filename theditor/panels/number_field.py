@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
-
 from PySide6.QtCore import QEvent, QLocale, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence, QValidator, QWheelEvent
 from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QWidget
 
+from theditor.model.arithmetic import calculated
 from theditor.model.words import exact
 from theditor.panels.parts import tabular
 
@@ -18,8 +17,9 @@ _DECIMALS = 323
 class NumberField(QDoubleSpinBox):
     """Shows a number in six digits, or the shortest exact text while it has the focus.
 
-    Typing takes a decimal point or comma, and acts on Enter or when the focus leaves; untouched text acts on
-    nothing. Bad text is put back to the old value.
+    Typing takes a decimal point or comma, simple arithmetic (``2/3``) and changes of the value shown (``+1.5``,
+    ``*2``); it acts on Enter or when the focus leaves. Untouched text acts on nothing. Bad text is put back to
+    the old value.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ class NumberField(QDoubleSpinBox):
         if number is None:
             self._show_text()
             limits = f"{exact(self.minimum())} to {exact(self.maximum())}"
-            self.refused.emit(f"“{text}” is no number from {limits}: type one such as 0.5.")
+            self.refused.emit(f"“{text}” is no number from {limits}: type one such as 0.5, 2/3 or +1.5.")
         elif self._differing or number != self.value():
             self.show_value(number)
             self.entered.emit(number)
@@ -145,11 +145,10 @@ class NumberField(QDoubleSpinBox):
 
     def _number(self, text: str) -> float | None:
         try:
-            number = float(text.strip().replace(",", ".").replace("−", "-"))
+            number = calculated(text, None if self._differing else self.value())
         except ValueError:
             return None
-        within = math.isfinite(number) and self.minimum() <= number <= self.maximum()
-        return number if within else None
+        return number if self.minimum() <= number <= self.maximum() else None
 
     def _text(self) -> str:
         return self.lineEdit().text()
