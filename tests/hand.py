@@ -46,6 +46,12 @@ class Hand:
         self.press(point, keys=keys)
         self.release(point, keys)
 
+    def double_click(self, point, keys=NONE):
+        self.click(point, keys)
+        self.button = LEFT
+        self._send(QEvent.Type.MouseButtonDblClick, self.pixel(point), LEFT, LEFT, keys)
+        self.release(point, keys)
+
     def drag(self, start, end, keys=NONE, button=LEFT, steps=4):
         start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
         plane = self.canvas.plane

@@ -7,12 +7,12 @@ from hypothesis import strategies as st
 
 from theditor.canvas.grid import number, steps
 from theditor.canvas.handles import CELL, thinned
-from theditor.canvas.hit_test import nearest_handle, nearest_place
+from theditor.canvas.hit_test import near_handles, near_places
 from theditor.canvas.labels import place
 from theditor.canvas.lines import clipped
 from theditor.canvas.trace import TOLERANCE, Trace, strokes
 from theditor.canvas.viewport import Viewport
-from theditor.spline import Curve, Mode
+from theditor.spline import Curve, Mode, self_intersections
 
 PLANE = Viewport(1.0, 0.5, 80.0, 800.0, 600.0)
 coordinates = st.floats(-6, 8)
@@ -112,20 +112,30 @@ def test_picking_finds_the_nearest_place_and_its_parameter(curve, at):
     u = np.linspace(*curve.domain, 2000)
     pixels = PLANE.to_pixels(curve(u))
     distances = np.hypot(*(pixels - at).T)
-    hit = nearest_place(strokes(curve, PLANE), at)
-    if hit is None:
+    places = near_places(strokes(curve, PLANE), at, curve.segment_count)
+    if not places:
         assert distances.min() > 8 - TOLERANCE - 1e-6
     else:
-        found, segment, t = hit
+        found, segment, t = places[0]
         assert found <= distances.min() + TOLERANCE + 1e-6
         assert np.hypot(*(PLANE.to_pixels(curve(segment + min(t, 1.0))) - at)) <= found + 0.5
 
 
-def test_the_topmost_of_handles_in_one_place_is_picked():
-    handles = np.array([[10.0, 10.0], [50.0, 50.0], [10.0, 10.0]])
-    assert nearest_handle(handles, np.array([13.0, 10.0])) == 2
-    assert nearest_handle(handles, np.array([30.0, 30.0])) is None
-    assert nearest_handle(np.empty((0, 2)), np.zeros(2)) is None
+def test_handles_in_one_place_are_picked_from_the_topmost_down():
+    handles = np.array([[10.0, 10.0], [50.0, 50.0], [10.0, 10.0], [12.0, 10.0]])
+    assert near_handles(handles, np.array([13.0, 10.0])) == [3, 2, 0]
+    assert near_handles(handles, np.array([30.0, 30.0])) == []
+    assert near_handles(np.empty((0, 2)), np.zeros(2)) == []
+
+
+def test_a_curve_is_picked_once_for_each_of_its_passages():
+    loop = Curve([[-3, 0], [4, 3], [0, 4], [-2, 1], [3, -1], [6, 2]], ends="clamped")
+    ((u, v),) = self_intersections(loop)
+    lines = strokes(loop, PLANE)
+    found = near_places(lines, PLANE.to_pixels(loop(u)), loop.segment_count)
+    assert sorted(segment + t for _, segment, t in found) == pytest.approx([u, v], abs=0.05)
+    joint = PLANE.to_pixels(loop(1.0))
+    assert len(near_places(lines, joint, loop.segment_count)) == 1
 
 
 @given(st.lists(st.tuples(st.floats(0, 300), st.floats(0, 200)), min_size=1, max_size=25))

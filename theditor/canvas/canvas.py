@@ -7,47 +7,27 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QRectF, Qt, Signal
-from PySide6.QtGui import (
-    QFocusEvent,
-    QHelpEvent,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QResizeEvent,
-    QWheelEvent,
-)
+from PySide6.QtGui import QFocusEvent, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QResizeEvent
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.fit import fitted
-from theditor.canvas.hit_test import (
-    Hit,
-    JointHit,
-    MiddleHit,
-    PointHit,
-    SegmentHit,
-    exists,
-    nearest_handle,
-    nearest_place,
-    parameter_of,
-    sliding_place,
-)
+from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit, exists, parameter_of
 from theditor.canvas.legend import Legend
 from theditor.canvas.overlays import guards_of
 from theditor.canvas.picture import Frame, Shown, paint_ground, paint_picture
-from theditor.canvas.shaping import PullCurve, SlideJoint
+from theditor.canvas.select import SelectTool
+from theditor.canvas.shaping import PullCurve
+from theditor.canvas.snapping import Snapper
+from theditor.canvas.tool import Bench, Keys, Tool
 from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pan, Pointer
-from theditor.canvas.viewport import Floats, Viewport
+from theditor.canvas.view import PlaneView
+from theditor.canvas.viewport import Floats
 from theditor.canvas.words import describe, hint
 from theditor.drawing import Drawing
 from theditor.model import Document, Selection, colours_for, unbreakable
-from theditor.spline import CONVEX_HULL_RANGE, MAX_COORDINATE, PULL_BOUNDS
-
-ZOOM_STEP = 1.25
-WIDEST = 1e13
-"""The largest part of the plane that is shown, in units; coordinates end at 10¹²."""
+from theditor.spline import CONVEX_HULL_RANGE, PULL_BOUNDS
 
 
 @dataclass(frozen=True)
@@ -63,13 +43,14 @@ class Pointed:
 
 
 @unbreakable
-class Canvas(pg.GraphicsView):
+class Canvas(PlaneView):
     """The drawing, live. Edits go through the document; what is selected is the selection's."""
 
     pointed = Signal(object)
+    announce = Signal(str)
 
     def __init__(self, document: Document, selection: Selection, parent: QWidget | None = None) -> None:
-        super().__init__(parent, useOpenGL=False)
+        super().__init__(parent)
         self._document, self._selection = document, selection
         self._curves = CurvesPainter()
         self._shown = Shown()
@@ -79,66 +60,38 @@ class Canvas(pg.GraphicsView):
         self._pointer: Pointer | None = None
         self._hit: Hit = None
         self._space = False
-        self._fitted = True
         self._reach: tuple[int, ...] = ()
         self._keep_hull = False
         self._place: float | None = None
+        self.snapper = Snapper(self._curves)
+        bench = Bench(
+            document, selection, self, self._curves, self.snapper, lambda: self._bounds, self.announce.emit
+        )
+        self._select = SelectTool(bench)
+        self._tool: Tool = self._select
 
-        self._box = pg.ViewBox(lockAspect=True, enableMouse=False, enableMenu=False, defaultPadding=0)
-        self.setCentralItem(self._box)
-        self._box.sigTransformChanged.connect(self._view_changed)
+        self.box.sigTransformChanged.connect(self._view_changed)
         self._legend = Legend(self)
 
         self.setObjectName("canvas")
         self.setAccessibleName("Canvas: the curves and their control points")
         self.setAccessibleDescription(
-            "A picture to be edited with the mouse; the λ strip and the segment list offer the same by keyboard."
+            "A picture to be edited with the mouse. Tab steps through the control points, the arrow keys move them, "
+            "F6 leaves."
         )
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
-        self.setCacheMode(self.CacheModeFlag.CacheNone)
-        self.setViewportUpdateMode(self.ViewportUpdateMode.FullViewportUpdate)
         self.setMinimumSize(240, 160)
         document.changed.connect(self._drawing_changed)
         selection.changed.connect(self._selection_changed)
 
-    # The view
-
-    @property
-    def plane(self) -> Viewport:
-        """Which part of the plane is visible."""
-        area = self._box.viewRect()
-        size = self._box.rect()
-        width, height = max(size.width(), 1.0), max(size.height(), 1.0)
-        centre = area.center()
-        return Viewport(centre.x(), centre.y(), width / area.width(), width, height)
-
-    def show_view(self, x: float, y: float, scale: float) -> None:
-        """Show the plane around a point, at a scale in pixels per unit, within what floats can resolve."""
-        size = self._box.rect()
-        finest = max(1e-9, 1e-11 * max(abs(x), abs(y)))
-        width = min(max(size.width() / scale, finest), WIDEST)
-        x, y = (min(max(v, -MAX_COORDINATE), MAX_COORDINATE) for v in (x, y))
-        height = width * size.height() / size.width()
-        self._fitted = False
-        self._box.setRange(QRectF(x - width / 2, y - height / 2, width, height), padding=0)
+    # What is shown
 
     def fit(self) -> None:
         """Show all visible curves with their control points, and go on doing so while the canvas is resized."""
-        size = self._box.rect()
+        size = self.box.rect()
         self.show_view(*fitted(self._document.drawing, size.width(), size.height()))
-        self._fitted = True
-
-    def zoom(self, factor: float, at: Floats | None = None) -> None:
-        """Enlarge by `factor`, keeping the point at pixel `at` (default the middle) where it is."""
-        plane = self.plane
-        if at is None:
-            at = np.array([plane.width / 2, plane.height / 2])
-        fixed = plane.to_points(at)
-        self.show_view(plane.x, plane.y, plane.scale * factor)
-        now = self.plane
-        away = fixed - now.to_points(at)
-        self.show_view(now.x + float(away[0]), now.y + float(away[1]), now.scale)
+        self.fitted = True
 
     def set_shown(self, **what: Any) -> None:
         """Show or hide parts, by the names in `Shown`."""
@@ -179,6 +132,7 @@ class Canvas(pg.GraphicsView):
             self._reach_points(),
             self._drag.corners if isinstance(self._drag, Marquee) else None,
             self._drag.miss if isinstance(self._drag, PullCurve) else None,
+            self._drag.snapped if isinstance(self._drag, MovePoints) else self._tool.snapped,
         )
 
     def _valid_hit(self) -> Hit:
@@ -236,7 +190,7 @@ class Canvas(pg.GraphicsView):
         super().resizeEvent(event)
         if self.closed or not hasattr(self, "_legend"):
             return
-        if self._fitted:
+        if self.fitted:
             self.fit()
         self._legend.resize(self._legend.sizeHint())
         self._legend.move((self.width() - self._legend.width()) // 2, 12)
@@ -244,33 +198,15 @@ class Canvas(pg.GraphicsView):
     # The mouse and the keys
 
     def hit(self, at: Floats) -> Hit:
-        """What would be grabbed at a pixel: handles before curves, the current curve before others."""
-        drawing, plane = self._document.drawing, self.plane
-        self._curves.update(drawing, plane)
-        current, item = self._selection.curve, self._selection.item
-        if item is not None and item.visible and not item.locked:
-            pixels = plane.to_pixels(self._curves.plane_curve(current).control_points)
-            index = nearest_handle(pixels, at)
-            if index is not None:
-                return PointHit(index)
-        best: tuple[float, int, float] | None = None
-        owner = -1
-        for i in sorted(range(len(drawing)), key=lambda i: (i != current, -i)):
-            if not drawing[i].visible or drawing[i].locked:
-                continue
-            place = nearest_place(self._curves.trace(i).strokes(), at)
-            if place is not None and (best is None or place[0] < best[0] - 2.0):
-                best, owner = place, i
-        if best is None:
-            return None
-        hit = SegmentHit(owner, best[1], min(best[2], 1.0))
-        sliding = sliding_place(self._curves.plane_curve(owner), hit, at, plane) if owner == current else None
-        return sliding or hit
+        """What a press at a pixel would take hold of, were it the first there."""
+        return next(iter(self._select.hits(at)), None)
 
     def _hover(self) -> None:
         """Find what is under the pointer and tell: halo, cursor, status line."""
         before = self._hit
-        self._hit = self.hit(self._pointer.at) if self._pointer is not None and self._drag is None else None
+        self._hit = (
+            self._tool.hover(self._pointer) if self._pointer is not None and self._drag is None else None
+        )
         if self._drag is None:
             self._set_cursor()
         if _grabbed(before) != _grabbed(self._hit):
@@ -281,6 +217,8 @@ class Canvas(pg.GraphicsView):
         shape = Qt.CursorShape.ArrowCursor
         if self._space:
             shape = Qt.CursorShape.OpenHandCursor
+        elif self._tool.cursor is not None:
+            shape = self._tool.cursor
         elif isinstance(self._hit, PointHit):
             shape = Qt.CursorShape.SizeAllCursor
         elif isinstance(self._hit, JointHit | MiddleHit):
@@ -299,21 +237,28 @@ class Canvas(pg.GraphicsView):
         hit = self._valid_hit()
         over = describe(hit, drawing, current)
         u = parameter_of(hit, current, drawing[current].curve) if current >= 0 else None
-        self.pointed.emit(Pointed(position, over, hint(hit, self._drag), plane.scale, u))
+        self.pointed.emit(Pointed(position, over, self._tool.hint or hint(hit, self._drag), plane.scale, u))
 
     def _pointer_of(self, event: QMouseEvent) -> Pointer:
         position, held = event.position(), event.modifiers()
-        at = np.array([position.x(), position.y()])
+        at, plane = np.array([position.x(), position.y()]), self.plane
         return Pointer(
             at,
-            self.plane.to_points(at),
-            self.plane.scale,
+            plane.to_points(at),
+            plane,
             shift=bool(held & Qt.KeyboardModifier.ShiftModifier),
             ctrl=bool(held & Qt.KeyboardModifier.ControlModifier),
         )
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Begin a drag; a press of another button while one is under way takes it back."""
+        self._begin(event, double=False)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Begin a drag, or do what a double click does there."""
+        self._begin(event, double=True)
+
+    def _begin(self, event: QMouseEvent, *, double: bool) -> None:
         event.accept()
         self._pointer = pointer = self._pointer_of(event)
         if self._drag is not None:
@@ -324,18 +269,8 @@ class Canvas(pg.GraphicsView):
             self._drag = Pan(self.plane, pointer, self.show_view)
             self.viewport().setCursor(Qt.CursorShape.ClosedHandCursor)
         elif button == Qt.MouseButton.LeftButton:
-            self._drag = self._drag_for(self.hit(pointer.at), pointer)
+            self._drag = self._tool.press(pointer, double=double)
         self._press, self._drag_moved = pointer, False
-
-    def _drag_for(self, hit: Hit, pointer: Pointer) -> Drag:
-        if isinstance(hit, PointHit):
-            return MovePoints(self._document, self._selection, pointer, hit.index)
-        if isinstance(hit, SegmentHit):
-            bounds = self._bounds if hit.curve == self._selection.curve else PULL_BOUNDS
-            return PullCurve(self._document, self._selection, pointer, hit, bounds)
-        if isinstance(hit, JointHit | MiddleHit):
-            return SlideJoint(self._document, self._selection, pointer, hit, self._bounds)
-        return Marquee(self._selection, pointer)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Follow the drag, or show what would be grabbed."""
@@ -356,14 +291,12 @@ class Canvas(pg.GraphicsView):
         event.accept()
         self._pointer = pointer = self._pointer_of(event)
         drag, self._drag = self._drag, None
-        if drag is not None:
+        if drag is not None and (self._drag_moved or isinstance(drag, Pan)):
             drag.release(pointer)
+        elif drag is not None:
+            self._tool.click(drag, pointer)
         self._hover()
         self.viewport().update()
-
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        """A second press in quick succession is a press like any other."""
-        self.mousePressEvent(event)
 
     def cancel_drag(self) -> bool:
         """Take back the drag under way, if there is one."""
@@ -387,13 +320,6 @@ class Canvas(pg.GraphicsView):
             return True
         return bool(super().viewportEvent(event))
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Zoom at the pointer."""
-        event.accept()
-        position = event.position()
-        at = np.array([position.x(), position.y()])
-        self.zoom(ZOOM_STEP ** (event.angleDelta().y() / 120), at)
-
     def leaveEvent(self, event: QEvent) -> None:
         """Nothing is hovered outside."""
         self._pointer = None
@@ -401,17 +327,25 @@ class Canvas(pg.GraphicsView):
         super().leaveEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape takes a drag back, else selects nothing; Space pans while it is held."""
-        if event.key() == Qt.Key.Key_Escape:
-            if not self.cancel_drag():
-                self._selection.select(points=(), segments=())
-            event.accept()
-        elif event.key() == Qt.Key.Key_Space:
+        """Escape takes a drag back, Space pans while it is held, F6 leaves; the rest is the tool's."""
+        event.accept()
+        if event.key() == Qt.Key.Key_Escape and self.cancel_drag():
+            return
+        if event.key() == Qt.Key.Key_Space:
             self._space = True
             self._set_cursor()
-            event.accept()
+        elif event.key() == Qt.Key.Key_F6:
+            super().focusNextPrevChild(not event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        elif self._drag is None and self._tool.key(_keys(event)):
+            self._hover()
+            self.viewport().update()
         else:
             event.ignore()
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        """Leave Tab to the tool, as long as there are control points to step through."""
+        item = self._selection.item
+        return (item is None or item.locked or not item.visible) and bool(super().focusNextPrevChild(forward))
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
         """Space let go: the mouse edits again."""
@@ -426,6 +360,15 @@ class Canvas(pg.GraphicsView):
         """A Space held while the focus left counts as let go."""
         self._space = False
         super().focusOutEvent(event)
+
+
+def _keys(event: QKeyEvent) -> Keys:
+    held = event.modifiers()
+    return Keys(
+        event.key(),
+        shift=bool(held & Qt.KeyboardModifier.ShiftModifier),
+        ctrl=bool(held & Qt.KeyboardModifier.ControlModifier),
+    )
 
 
 def _grabbed(hit: Hit) -> Hit | tuple[int, int]:

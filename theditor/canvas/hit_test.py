@@ -53,31 +53,38 @@ class MiddleHit:
 Hit = PointHit | JointHit | MiddleHit | SegmentHit | None
 
 
-def nearest_handle(handles: Floats, at: Floats, reach: float = REACH) -> int | None:
-    """Index of the handle (n, 2) nearest to `at` (2,), the topmost (last) of equals; None beyond `reach`."""
-    if not len(handles):
-        return None
+def near_handles(handles: Floats, at: Floats, reach: float = REACH) -> list[int]:
+    """Indices of the handles (n, 2) within reach of `at` (2,), nearest first, the topmost (last) of equals first."""
     squares = ((handles - at) ** 2).sum(axis=1)
-    index = len(squares) - 1 - int(np.argmin(squares[::-1]))
-    return index if squares[index] <= reach * reach else None
+    near = np.flatnonzero(squares <= reach * reach)[::-1]
+    chosen: list[int] = near[np.argsort(squares[near], kind="stable")].tolist()
+    return chosen
 
 
-def nearest_place(
-    strokes: Iterable[Stroke], at: Floats, reach: float = REACH
-) -> tuple[float, int, float] | None:
-    """Distance in pixels, segment and t of the drawn place nearest to `at` (2,); None beyond `reach`."""
-    best: tuple[float, int, float] | None = None
+def near_places(
+    strokes: Iterable[Stroke], at: Floats, count: int, reach: float = REACH
+) -> list[tuple[float, int, float]]:
+    """Distance in pixels, segment and t of the drawn places within reach of `at` (2,), nearest first.
+
+    There is one for each passage of the curve, which has `count` segments: neighbouring segments are one.
+    """
+    best: dict[int, tuple[float, int, float]] = {}
     for stroke in strokes:
         start, along = stroke.lines[:, :2], stroke.lines[:, 2:] - stroke.lines[:, :2]
         squared_length = (along**2).sum(axis=1)
         with np.errstate(divide="ignore", invalid="ignore"):
             f = np.nan_to_num(((at - start) * along).sum(axis=1) / squared_length).clip(0.0, 1.0)
         distances = np.hypot(*(start + f[:, None] * along - at).T)
-        i = int(np.argmin(distances))
-        if distances[i] <= reach and (best is None or distances[i] < best[0]):
-            t0, t1 = stroke.parameters[i]
-            best = float(distances[i]), int(stroke.segments[i]), float(t0 + f[i] * (t1 - t0))
-    return best
+        for i in np.flatnonzero(distances <= reach).tolist():
+            segment, away = int(stroke.segments[i]), float(distances[i])
+            if segment not in best or away < best[segment][0]:
+                t0, t1 = stroke.parameters[i].tolist()
+                best[segment] = away, segment, float(t0 + f[i] * (t1 - t0))
+    passages: list[tuple[float, int, float]] = []
+    for place in sorted(best.values()):
+        if all((place[1] - other[1]) % count not in (1, count - 1) for other in passages):
+            passages.append(place)
+    return passages
 
 
 def sliding_place(

@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, QPen, QPolygonF
 
 from theditor.canvas.lines import clipped, draw_lines
 from theditor.canvas.viewport import Viewport
@@ -167,6 +167,23 @@ def paint_miss(painter: QPainter, miss: Floats, colours: Colours) -> None:
     painter.setPen(_pen(colours.hyperbolic, 1.2))
     painter.drawLine(QPointF(*reached), QPointF(*target))
     painter.drawEllipse(QPointF(*target), 3.0, 3.0)
+
+
+def paint_snapped(painter: QPainter, place: Floats, to: str, colours: Colours, font: QFont) -> None:
+    """Mark the place in pixels that the hand is drawn to, and name what is there."""
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(_pen(colours.accent, 1.5))
+    painter.drawEllipse(QPointF(*place), 9.0, 9.0)
+    painter.setFont(_small(font))
+    metrics = QFontMetricsF(painter.font())
+    beside = QPointF(*place) + QPointF(14, 20)
+    box = metrics.boundingRect(to).translated(beside).adjusted(-4, -2, 4, 2)
+    painter.setBrush(QColor(colours.selection))
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.drawRoundedRect(box, 3, 3)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(QColor(colours.accent_text))
+    painter.drawText(beside, to)
 
 
 def _polyline(painter: QPainter, pixels: Floats, plane: Viewport, pen: QPen) -> None:

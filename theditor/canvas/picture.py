@@ -15,6 +15,7 @@ from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, Segment
 from theditor.canvas.labels import MOST, paint_labels
 from theditor.canvas.projection import projected
 from theditor.canvas.shaping import track_of
+from theditor.canvas.snapping import Snapped
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.drawing import Drawing
 from theditor.model import Colours
@@ -70,6 +71,8 @@ class Frame:
     """Two opposite corners in the plane, (2, 2)."""
     miss: Floats | None = None
     """What a pull reached and where the pointer is, in the plane, (2, 2)."""
+    snapped: Snapped | None = None
+    """What the point at hand is drawn to."""
 
 
 def paint_ground(painter: QPainter, frame: Frame) -> None:
@@ -122,6 +125,10 @@ def paint_picture(painter: QPainter, frame: Frame, curves: CurvesPainter) -> Non
     handles.paint_handles(painter, curve, plane, frame.points, hovered, colours)
     if frame.shown.labels:
         _paint_labels(painter, frame, curve, curves)
+    if frame.snapped is not None:
+        overlays.paint_snapped(
+            painter, plane.to_pixels(frame.snapped.point), frame.snapped.to, colours, frame.font
+        )
     if frame.marquee is not None:
         _paint_marquee(painter, plane.to_pixels(frame.marquee), colours)
 

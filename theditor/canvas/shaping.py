@@ -149,10 +149,10 @@ class SlideJoint:
     def _drawn_to(self, lam: float, pointer: Pointer) -> float:
         """The λ of a mode where its place is near and far enough from the others' places to tell apart."""
         marks = np.array([0.0, 1.0, INTERPOLATING[self._degree]])
-        away = np.abs(marks - lam) * np.hypot(*self.track.direction) * pointer.scale
+        away = np.abs(marks - lam) * np.hypot(*self.track.direction) * pointer.plane.scale
         nearest = int(np.argmin(away))
         between = np.abs(np.delete(marks, nearest) - marks[nearest]).min()
-        apart = between * float(np.hypot(*self.track.direction)) * pointer.scale
+        apart = between * float(np.hypot(*self.track.direction)) * pointer.plane.scale
         return float(marks[nearest]) if away[nearest] < min(MAGNET, apart / 3) else lam
 
     def release(self, pointer: Pointer) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from theditor.canvas.projection import moved, projected
+from theditor.canvas.snapping import STILL, Snapped, Snapper, moving
 from theditor.canvas.viewport import Viewport
 from theditor.model import Document, Gesture, Selection
 from theditor.spline import MAX_COORDINATE
@@ -28,8 +29,8 @@ class Pointer:
 
     at: Floats
     point: Floats
-    scale: float
-    """Pixels per unit."""
+    plane: Viewport
+    """What is in view."""
     shift: bool = False
     ctrl: bool = False
 
@@ -47,16 +48,37 @@ class Drag(Protocol):
         """Take back everything since the press."""
 
 
-class MovePoints:
-    """Drag the selected control points; Ctrl keeps to the horizontal or the vertical."""
+class Still:
+    """A press that has already done all there is to do."""
 
-    def __init__(self, document: Document, selection: Selection, press: Pointer, index: int) -> None:
-        self._document, self._selection = document, selection
+    def move(self, pointer: Pointer) -> None:
+        """Nothing moves."""
+
+    def release(self, pointer: Pointer) -> None:
+        """Nothing is left to do."""
+
+    def cancel(self) -> None:
+        """What was done is an undo step of its own, or a selection."""
+
+
+class MovePoints:
+    """Drag the selected control points; Ctrl keeps to the horizontal or the vertical.
+
+    The point that was pressed is drawn to what lies near, if snapping is on, but not with Shift or Ctrl held.
+    """
+
+    def __init__(
+        self, document: Document, selection: Selection, press: Pointer, index: int, snapper: Snapper
+    ) -> None:
+        self._document, self._selection, self._snapper = document, selection, snapper
         self._press, self._index = press, index
         self._curve = selection.curve
         self._was_selected = index in selection.points
         self._points_before = selection.points
         self._gesture: Gesture | None = None
+        self._moving = STILL
+        self.snapped: Snapped | None = None
+        """What the pressed point is drawn to."""
         if press.shift:
             selection.select(points=selection.points ^ {index})
         elif not self._was_selected:
@@ -74,11 +96,20 @@ class MovePoints:
             self._chosen = np.array(chosen, dtype=np.intp)
             text = "Move control point" if len(chosen) == 1 else f"Move {len(chosen)} control points"
             self._gesture = self._document.begin(text)
-        offset = pointer.point - self._press.point
-        if pointer.ctrl:
-            offset[int(np.argmin(np.abs(offset)))] = 0.0
+            self._moving = moving(self._curve, projected(item.curve), self._chosen)
         before = self._gesture.before
         curve = before[self._curve].curve
+        offset = pointer.point - self._press.point
+        self.snapped = None
+        if pointer.ctrl:
+            offset[int(np.argmin(np.abs(offset)))] = 0.0
+        elif not pointer.shift:
+            grabbed = projected(curve).control_points[self._index]
+            self.snapped = self._snapper(
+                grabbed + offset, self._document.drawing, pointer.plane, self._moving
+            )
+            if self.snapped is not None:
+                offset = self.snapped.point - grabbed
         points = moved(curve.control_points[self._chosen], offset).clip(-MAX_COORDINATE, MAX_COORDINATE)
         self._gesture.preview(before.with_curve(self._curve, curve.with_points(self._chosen, points)))
 

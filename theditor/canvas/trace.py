@@ -68,7 +68,7 @@ class Trace:
     def strokes(self) -> Iterator[Stroke]:
         """What to draw now."""
         for stroke in self._base:
-            yield from _without(stroke, self._changed)
+            yield from without(stroke, self._changed)
         yield from self._patch
 
 
@@ -98,7 +98,7 @@ def _lines(samples: Samples, viewport: Viewport) -> tuple[Floats, Ints, Floats]:
     return lines, samples.segments[run[kept]], np.stack([t[kept], t[kept] + step[kept]], axis=1)
 
 
-def _without(stroke: Stroke, segments: Ints) -> Iterator[Stroke]:
+def without(stroke: Stroke, segments: Ints) -> Iterator[Stroke]:
     """The stroke less some segments, as runs of consecutive lines (views, not copies)."""
     if not len(segments):
         yield stroke

@@ -39,7 +39,7 @@ def hint(hit: Hit, drag: Drag | None) -> str:
     if isinstance(drag, SlideJoint):
         return "Esc: take it back · Shift: let go of T, H and λ*"
     if isinstance(drag, MovePoints):
-        return "Esc: take it back · Ctrl: horizontal or vertical"
+        return "Esc: take it back · Ctrl: horizontal or vertical · Shift: no snapping"
     if drag is not None:
         return ""
     if isinstance(hit, PointHit):

@@ -1,0 +1,46 @@
+"""Moving the selected control points by keys."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QSettings, Qt
+
+from theditor.canvas.grid import steps
+from theditor.canvas.projection import moved
+from theditor.canvas.tool import Bench, Keys
+from theditor.spline import MAX_COORDINATE
+
+ARROWS = {
+    Qt.Key.Key_Left: (-1.0, 0.0),
+    Qt.Key.Key_Right: (1.0, 0.0),
+    Qt.Key.Key_Up: (0.0, 1.0),
+    Qt.Key.Key_Down: (0.0, -1.0),
+}
+
+
+def nudge(bench: Bench, keys: Keys) -> bool:
+    """Move the selected control points by an arrow key; returns whether there was something to move.
+
+    The step is the preference ``nudge`` in units or, while that is not set, the distance of the grid's minor
+    lines; ten of them with Shift; one pixel with Ctrl. Steps that follow each other are one undo step.
+    """
+    item, chosen = bench.selection.item, np.array(sorted(bench.selection.points), dtype=np.intp)
+    direction = ARROWS.get(Qt.Key(keys.key))
+    if direction is None or item is None or item.locked or not item.visible or not len(chosen):
+        return False
+    scale = bench.view.plane.scale
+    step = 1.0 / scale if keys.ctrl else preferred_step() or steps(scale)[1]
+    offset = np.array(direction) * step * (10 if keys.shift else 1)
+    points = moved(item.curve.control_points[chosen], offset).clip(-MAX_COORDINATE, MAX_COORDINATE)
+    curve = item.curve.with_points(chosen, points)
+    bench.document.apply_curve("Nudge", bench.selection.curve, curve, merge=tuple(chosen.tolist()))
+    return True
+
+
+def preferred_step() -> float:
+    """The step that the user prefers, in units; 0 if none is set."""
+    try:
+        step = float(str(QSettings().value("nudge", 0.0)))
+    except ValueError:
+        return 0.0
+    return step if 0.0 < step <= MAX_COORDINATE else 0.0

@@ -1,0 +1,73 @@
+"""Picking: everything that lies under a position on the screen, topmost first."""
+
+from __future__ import annotations
+
+from theditor.canvas.curves import CurvesPainter
+from theditor.canvas.hit_test import (
+    Hit,
+    JointHit,
+    MiddleHit,
+    PointHit,
+    SegmentHit,
+    near_handles,
+    near_places,
+    sliding_place,
+)
+from theditor.canvas.viewport import Floats, Viewport
+from theditor.drawing import Drawing
+
+FAVOUR = 2.0
+"""A curve drawn beneath must be nearer by this many pixels to be picked first."""
+
+Key = tuple[str, int, int]
+
+
+def pick(at: Floats, drawing: Drawing, current: int, curves: CurvesPainter, plane: Viewport) -> list[Hit]:
+    """What can be grabbed at a pixel: handles before curves, the current curve before others.
+
+    Locked and hidden curves are not there. Of segments that merely meet only the nearest counts; where a
+    curve crosses itself, both do.
+    """
+    curves.update(drawing, plane)
+    hits: list[Hit] = []
+    if current >= 0 and drawing[current].visible and not drawing[current].locked:
+        pixels = plane.to_pixels(curves.plane_curve(current).control_points)
+        hits += [PointHit(index) for index in near_handles(pixels, at)]
+    found: list[tuple[float, SegmentHit]] = []
+    for i in sorted(range(len(drawing)), key=lambda i: (i != current, -i)):
+        if drawing[i].visible and not drawing[i].locked:
+            places = near_places(curves.trace(i).strokes(), at, curves.plane_curve(i).segment_count)
+            found += [(away, SegmentHit(i, segment, min(t, 1.0))) for away, segment, t in places]
+    for hit in _topmost_first(found):
+        own = hit.curve == current
+        sliding = sliding_place(curves.plane_curve(current), hit, at, plane) if own else None
+        hits.append(sliding or hit)
+    return hits
+
+
+def _topmost_first(found: list[tuple[float, SegmentHit]]) -> list[SegmentHit]:
+    """Order places: each goes before those after it, unless one of these is nearer by more than the favour."""
+    rest, ordered = list(found), []
+    while rest:
+        best = rest[0]
+        for other in rest[1:]:
+            if other[0] < best[0] - FAVOUR:
+                best = other
+        rest.remove(best)
+        ordered.append(best[1])
+    return ordered
+
+
+def key_of(hit: Hit, current: int) -> Key | None:
+    """What a hit would grab, whatever its exact place and whichever curve becomes current."""
+    match hit:
+        case PointHit(index):
+            return "point", current, index
+        case JointHit(point):
+            return "joint", current, point
+        case MiddleHit(segment):
+            return "segment", current, segment
+        case SegmentHit(curve, segment, _):
+            return "segment", curve, segment
+        case _:
+            return None

@@ -1,0 +1,136 @@
+"""The tool to select and move with: what is under the pointer decides what a press takes hold of."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import Qt
+
+from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit
+from theditor.canvas.nudge import nudge
+from theditor.canvas.picking import Key, key_of, pick
+from theditor.canvas.shaping import PullCurve, SlideJoint
+from theditor.canvas.snapping import Snapped
+from theditor.canvas.tool import Bench, Keys
+from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pointer, Still
+from theditor.canvas.viewport import Floats, Viewport
+from theditor.model.words import indexed, number
+from theditor.spline import PULL_BOUNDS
+
+
+class SelectTool:
+    """Selects, moves and shapes. A second click at the same place reaches what lies beneath."""
+
+    sketch = None
+    snapped: Snapped | None = None
+    hint = ""
+    cursor = None
+
+    def __init__(self, bench: Bench) -> None:
+        self._bench = bench
+        self._clicked: tuple[Floats, Viewport] | None = None
+        self._reached: list[Key | None] = []
+        self._pressed: Key | None = None
+        self._beneath = False
+        self._made_current = False
+
+    def hits(self, at: Floats) -> list[Hit]:
+        """What can be grabbed at a pixel, topmost first."""
+        bench = self._bench
+        return pick(at, bench.document.drawing, bench.selection.curve, bench.curves, bench.view.plane)
+
+    def hover(self, pointer: Pointer) -> Hit:
+        """What would be grabbed."""
+        return next(iter(self.hits(pointer.at)), None)
+
+    def press(self, pointer: Pointer, *, double: bool) -> Drag:
+        """Take hold of what the last click here chose, else of the topmost; a double click acts at once."""
+        if double:
+            self._clicked = None
+            return self._act(pointer)
+        if not self._again(pointer):
+            self._reached = []
+        bench, hits = self._bench, self.hits(pointer.at)
+        last = self._reached[-1] if self._reached else None
+        held = next((hit for hit in hits if key_of(hit, bench.selection.curve) == last), None)
+        self._beneath = held is not None and not (pointer.shift or pointer.ctrl)
+        current, chosen = bench.selection.curve, held or next(iter(hits), None)
+        self._pressed = key_of(chosen, current)
+        drag = self._drag_for(chosen, pointer)
+        self._made_current = bench.selection.curve != current
+        return drag
+
+    def _again(self, pointer: Pointer) -> bool:
+        """Whether the last click was here, in the same view."""
+        if self._clicked is None:
+            return False
+        at, plane = self._clicked
+        return plane == self._bench.view.plane and bool(np.hypot(*(pointer.at - at)) < SLACK)
+
+    def _act(self, pointer: Pointer) -> Drag:
+        selection = self._bench.selection
+        if self._made_current and selection.item is not None:
+            selection.select(points=range(len(selection.item.curve.control_points)), segments=())
+            return Still()
+        return self.press(pointer, double=False)
+
+    def click(self, drag: Drag, pointer: Pointer) -> None:
+        """Choose what was pressed or, if the last click here chose just that, what lies beneath."""
+        if isinstance(drag, Still):
+            return
+        if self._beneath:
+            drag.cancel()
+            drag = self._drag_for(self._next(pointer.at), pointer)
+        else:
+            self._reached = [self._pressed]
+        self._clicked = pointer.at, self._bench.view.plane
+        drag.release(pointer)
+
+    def _next(self, at: Floats) -> Hit:
+        """The first hit that clicks here have not reached yet; once all are reached, they are gone through anew."""
+        current, hits = self._bench.selection.curve, self.hits(at)
+        if all(key_of(hit, current) in self._reached for hit in hits):
+            self._reached = self._reached[-1:]
+        hit = next((hit for hit in hits if key_of(hit, current) not in self._reached), hits[0])
+        self._reached.append(key_of(hit, current))
+        return hit
+
+    def _drag_for(self, hit: Hit, pointer: Pointer) -> Drag:
+        bench = self._bench
+        document, selection = bench.document, bench.selection
+        if isinstance(hit, PointHit):
+            return MovePoints(document, selection, pointer, hit.index, bench.snapper)
+        if isinstance(hit, SegmentHit):
+            bounds = bench.bounds() if hit.curve == selection.curve else PULL_BOUNDS
+            return PullCurve(document, selection, pointer, hit, bounds)
+        if isinstance(hit, JointHit | MiddleHit):
+            return SlideJoint(document, selection, pointer, hit, bench.bounds())
+        return Marquee(selection, pointer)
+
+    def key(self, keys: Keys) -> bool:
+        """Tab steps through the control points, arrows nudge them, Escape selects nothing."""
+        if keys.key == Qt.Key.Key_Escape:
+            self._bench.selection.select(points=(), segments=())
+            return True
+        if keys.key in (Qt.Key.Key_Tab, Qt.Key.Key_Backtab):
+            return self._step(backward=keys.key == Qt.Key.Key_Backtab or keys.shift)
+        return nudge(self._bench, keys)
+
+    def _step(self, *, backward: bool) -> bool:
+        """Select the next control point alone, show it and tell where it is; round the curve."""
+        selection = self._bench.selection
+        item = selection.item
+        if item is None or item.locked or not item.visible:
+            return False
+        count, chosen = len(item.curve.control_points), selection.points
+        last = min(chosen, default=0) if backward else max(chosen, default=-1)
+        index = (last + (-1 if backward else 1)) % count
+        selection.select(points={index}, segments=())
+        point = item.curve.control_points[index]
+        self._bench.view.reveal(point[:2])
+        where = ", ".join(number(x) for x in point.tolist())
+        lam = number(float(item.curve.lambdas[index]))
+        self._bench.say(f"{indexed('P', index)} at ({where}), {indexed('λ', index)} = {lam}")
+        return True
+
+    def leave(self) -> None:
+        """Nothing is unfinished."""

@@ -1,0 +1,116 @@
+"""Snapping: which point near the pointer it is drawn to, and what is there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from theditor.canvas.curves import CurvesPainter
+from theditor.canvas.grid import steps
+from theditor.canvas.hit_test import REACH, near_handles, near_places
+from theditor.canvas.trace import without
+from theditor.canvas.viewport import Floats, Viewport
+from theditor.drawing import Drawing
+from theditor.model.words import indexed
+from theditor.spline import Curve, changed_segments
+
+Ints = NDArray[np.intp]
+NOTHING: Ints = np.empty(0, dtype=np.intp)
+
+
+@dataclass(frozen=True)
+class Snapped:
+    """A point of the plane (2,) that the pointer is drawn to, and what is there."""
+
+    point: Floats
+    to: str
+
+
+@dataclass(frozen=True)
+class Moving:
+    """What moves with the hand and can be no goal: control points of a curve, and the segments they shape."""
+
+    curve: int
+    points: Ints
+    segments: Ints
+
+
+STILL = Moving(-1, NOTHING, NOTHING)
+
+
+def moving(index: int, curve: Curve, points: Ints) -> Moving:
+    """What moves when some control points of a plane curve do."""
+    here = curve.control_points[points]
+    segments = changed_segments(curve, curve.with_points(points, np.where(here > 0, here - 1, here + 1)))
+    return Moving(index, points, NOTHING if segments is None else segments)
+
+
+class Snapper:
+    """Finds what a point is drawn to: control points first, then joints, then curves, then the grid's lines."""
+
+    def __init__(self, curves: CurvesPainter) -> None:
+        self._curves = curves
+        self.on = False
+
+    def __call__(
+        self, point: Floats, drawing: Drawing, plane: Viewport, moves: Moving = STILL
+    ) -> Snapped | None:
+        """What a point (2,) is drawn to within reach on the screen, apart from what moves; None if off."""
+        if not self.on:
+            return None
+        self._curves.update(drawing, plane)
+        at = plane.to_pixels(point)
+        visible = [i for i, item in enumerate(drawing) if item.visible]
+        return (
+            self._control_point(at, visible, plane, moves)
+            or self._joint(at, visible, plane, moves)
+            or self._curve(at, visible, moves)
+            or _grid(point, plane)
+        )
+
+    def _control_point(
+        self, at: Floats, visible: list[int], plane: Viewport, moves: Moving
+    ) -> Snapped | None:
+        found = []
+        for i in visible:
+            points = self._curves.plane_curve(i).control_points
+            own = moves.points if i == moves.curve else NOTHING
+            near = [p for p in near_handles(plane.to_pixels(points), at) if p not in own]
+            found += [(points[p], indexed("P", p)) for p in near[:1]]
+        return _nearest(found, at, plane)
+
+    def _joint(self, at: Floats, visible: list[int], plane: Viewport, moves: Moving) -> Snapped | None:
+        found = []
+        for i in visible:
+            joints = self._curves.plane_curve(i).joints
+            gone = moves.segments if i == moves.curve else NOTHING
+            barred = set(gone.tolist()) | {s + 1 for s in gone.tolist()}
+            near = [j for j in near_handles(plane.to_pixels(joints), at) if j not in barred]
+            found += [(joints[j], "joint") for j in near[:1]]
+        return _nearest(found, at, plane)
+
+    def _curve(self, at: Floats, visible: list[int], moves: Moving) -> Snapped | None:
+        best: tuple[float, int, float] | None = None
+        for i in visible:
+            gone = moves.segments if i == moves.curve else NOTHING
+            strokes = [part for stroke in self._curves.trace(i).strokes() for part in without(stroke, gone)]
+            for away, segment, t in near_places(strokes, at, self._curves.plane_curve(i).segment_count)[:1]:
+                if best is None or away < best[0]:
+                    best = away, i, segment + min(max(t, 0.0), 1.0)
+        return None if best is None else Snapped(self._curves.plane_curve(best[1])(best[2]), "curve")
+
+
+def _nearest(found: list[tuple[Floats, str]], at: Floats, plane: Viewport) -> Snapped | None:
+    if not found:
+        return None
+    return Snapped(*min(found, key=lambda goal: float(np.hypot(*(plane.to_pixels(goal[0]) - at)))))
+
+
+def _grid(point: Floats, plane: Viewport) -> Snapped | None:
+    """The nearest minor lines, upright and level, each on its own."""
+    _, minor = steps(plane.scale)
+    lines = np.round(point / minor) * minor
+    near = np.abs(lines - point) * plane.scale <= REACH
+    return Snapped(np.where(near, lines, point), "grid") if near.any() else None
