@@ -6,7 +6,7 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from theditor.model import colours_for
+from theditor.model import colours_for, unbreakable
 from theditor.spline import Mode
 
 WORDS = {
@@ -18,6 +18,7 @@ WORDS = {
 SWATCH, GAP, BETWEEN, PADDING = 18, 6, 16, 12
 
 
+@unbreakable
 class Legend(QWidget):
     """A small card that lies over the canvas and lets the mouse through."""
 

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QColorDialog, QGridLayout, QLabel, QLineEdit, QToo
 
 from theditor.drawing import DrawingError, Item
 from theditor.drawing.drawing import NAME_LENGTH, WIDTH_RANGE
-from theditor.model import Document, Selection, colours_for, words
+from theditor.model import Document, Selection, colours_for, unbreakable, words
 from theditor.panels.number_field import NumberField
 from theditor.panels.parts import GAP, ComboBox, column, describe, heading, row
 from theditor.panels.rows import swatch_outline
@@ -34,6 +34,7 @@ _ENDS = (
 )
 
 
+@unbreakable
 class _NameField(QLineEdit):
     """A line of text that leaves undo and redo to the document while nothing is being typed."""
 

@@ -18,7 +18,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from theditor.model import Colours, colours_for
+from theditor.model import Colours, colours_for, unbreakable
 from theditor.model.words import exact
 from theditor.panels import lambda_scale as scale
 from theditor.panels.parts import small_font
@@ -34,6 +34,7 @@ _IMPORTANCE = ("T", "H", "λ*", "hull", "cusp", "inflection")
 _FAINT_HANDLES = 40
 
 
+@unbreakable
 class LambdaSlider(QWidget):
     """Shows one λ, or several that differ, and turns hands into asked-for values; it changes nothing itself.
 

@@ -7,7 +7,7 @@ from PySide6.QtGui import QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEv
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QFrame, QToolTip, QWidget
 
 from theditor.drawing import Item
-from theditor.model import Document, Selection, colours_for, words
+from theditor.model import Document, Selection, colours_for, unbreakable, words
 from theditor.panels import lambda_scale as scale
 from theditor.panels.guarded import NegativeBasis, reversal, same_lambdas
 from theditor.panels.lambda_column import Column, caption_height, paint_column
@@ -18,6 +18,7 @@ _WIDTH_RANGE = (44, 66)
 _TRACK_RANGE = (48, 220)
 
 
+@unbreakable
 class LambdaStrip(QAbstractScrollArea):
     """Shows every λ of the current curve side by side; only the visible columns are painted.
 

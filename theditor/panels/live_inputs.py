@@ -8,6 +8,7 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QSlider, QWidget
 
+from theditor.model import unbreakable
 from theditor.model.words import exact
 from theditor.panels.lambda_scale import stepped
 from theditor.panels.lambda_slider import LambdaSlider
@@ -26,6 +27,7 @@ QSlider::handle:focus { border: 2px solid palette(text); width: 11px; }
 """
 
 
+@unbreakable
 class LiveField(NumberField):
     """A number field that tells every change, while it is typed too."""
 

@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QLocale, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence, QValidator, QWheelEvent
 from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QWidget
 
+from theditor.model import unbreakable
 from theditor.model.arithmetic import calculated
 from theditor.model.words import exact
 from theditor.panels.parts import tabular
@@ -14,6 +15,7 @@ from theditor.panels.parts import tabular
 _DECIMALS = 323
 
 
+@unbreakable
 class NumberField(QDoubleSpinBox):
     """Shows a number in six digits, or the shortest exact text while it has the focus.
 

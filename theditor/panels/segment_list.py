@@ -19,7 +19,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPen, QPolygonF
 from PySide6.QtWidgets import QAbstractItemView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
-from theditor.model import Colours, colours_for
+from theditor.model import Colours, colours_for, unbreakable
 from theditor.model.words import MODE_LETTERS
 from theditor.panels.parts import MARGIN, small_font, tabular
 from theditor.panels.rows import ROW_HEIGHT, SWATCH, RowList, paint_ground, paint_swatch
@@ -46,6 +46,7 @@ def cell_rects(row: QRect) -> dict[Mode, QRect]:
     return {mode: QRect(QPoint(left + i * _CELL.width(), top), _CELL) for i, mode in enumerate(MODES)}
 
 
+@unbreakable
 class SegmentList(RowList):
     """Rows of segments; `mode_clicked` when one of a row's mode buttons is clicked."""
 
@@ -125,6 +126,7 @@ class SegmentList(RowList):
             self.viewport().update()
 
 
+@unbreakable
 class _SegmentDelegate(QStyledItemDelegate):
     """Paints number, swatch, name, a warning where there is one, and the buttons."""
 
