@@ -1,63 +1,38 @@
-"""The table of commands: each declared once, with its words, its key and what it does.
+"""The table of commands: each declared once, with its words, its key, when it can be done and what it does.
 
-Menus and toolbar are made of it.
+Menus, toolbar, context menus, the command palette and the sheet of shortcuts are made of it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtGui import QKeySequence
 
+from theditor.app.command import Command, can_edit, has_curve
 from theditor.app.lambda_dialogs import LambdaDialog, formula_dialog, gradient_dialog, smooth_dialog
+from theditor.app.theme import Theme, choose_theme, chosen_theme
 from theditor.spline import KNOWN, Known, Mode
 
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
 
-Keys = tuple[str | QKeySequence.StandardKey, ...]
-
-
-@dataclass(frozen=True)
-class Command:
-    """Something the user can do.
-
-    Attributes
-    ----------
-    menu
-        Title of the menu it is in; ``"View/Show"`` is a submenu.
-    text, tip
-        A verb phrase for the menu, with its mnemonic, and a sentence for the status line and the tooltip.
-    run
-        What it does; a checkable command is also given its new state.
-    keys
-        Standard keys or key names; the first that exists on the platform is shown.
-    on_canvas
-        The key acts only while the canvas has the focus (single letters).
-    checked
-        Initial state of a checkable command, None for others.
-    brief
-        Text on the toolbar; empty for commands that are not there.
-    gap
-        Whether a separator goes before it.
-    """
-
-    name: str
-    menu: str
-    text: str
-    tip: str
-    run: Callable[..., object]
-    keys: Keys = ()
-    on_canvas: bool = False
-    checked: bool | None = None
-    brief: str = ""
-    gap: bool = False
-
-
 _Standard = QKeySequence.StandardKey
+
+
+def can_undo(window: MainWindow) -> bool:
+    """Needs a step to take back; a hand on the drawing counts."""
+    return window.document.undo_stack.canUndo() or window.document.before is not None
+
+
+def can_redo(window: MainWindow) -> bool:
+    """Needs a step that was taken back."""
+    return window.document.undo_stack.canRedo()
+
+
+def has_selection(window: MainWindow) -> bool:
+    """Needs a selected point or segment."""
+    return bool(window.selection.points or window.selection.segments)
 
 
 def commands(window: MainWindow) -> tuple[Command, ...]:
@@ -85,7 +60,9 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             f"Make the selected points or segments {mode.value}; all of them if none is selected",
             lambda: window.set_mode(mode),
             (key,),
+            can_edit,
             on_canvas=True,
+            places=("point", "segment"),
             gap=gap,
         )
 
@@ -101,7 +78,27 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
         )
 
     def many(name: str, text: str, tip: str, dialog: LambdaDialog, *, gap: bool = False) -> Command:
-        return Command(name, "Curve", text, tip, lambda: window.change_lambdas(dialog), gap=gap)
+        return Command(
+            name,
+            "Curve",
+            text,
+            tip,
+            lambda: window.change_lambdas(dialog),
+            enabled=can_edit,
+            places=("point", "segment"),
+            gap=gap,
+        )
+
+    def theme(theme: Theme, text: str) -> Command:
+        return Command(
+            f"theme_{theme}",
+            "View/Theme",
+            text,
+            f"Use the colours of the {theme} theme",
+            lambda on: choose_theme(theme) if on else None,
+            checked=theme is chosen_theme(),
+            choice="theme",
+        )
 
     return (
         Command("new", "File", "&New", "Start an empty drawing", window.files.new, (_Standard.New,)),
@@ -127,7 +124,14 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "quit", "File", "&Quit", "Close all windows", window.quit, (_Standard.Quit, "Ctrl+Q"), gap=True
         ),
         Command(
-            "undo", "Edit", "&Undo", "Take the last step back", document.undo, (_Standard.Undo,), brief="Undo"
+            "undo",
+            "Edit",
+            "&Undo",
+            "Take the last step back",
+            document.undo,
+            (_Standard.Undo,),
+            can_undo,
+            brief="Undo",
         ),
         Command(
             "redo",
@@ -136,6 +140,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "Do the step last taken back once more",
             document.redo,
             (_Standard.Redo, "Ctrl+Shift+Z", "Ctrl+Y"),
+            can_redo,
             brief="Redo",
         ),
         Command(
@@ -145,6 +150,8 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "Select all control points of the current curve",
             window.select_all,
             (_Standard.SelectAll,),
+            has_curve,
+            places=("point", "segment", "ground"),
             gap=True,
         ),
         Command(
@@ -154,6 +161,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "Select no control point and no segment",
             window.select_none,
             ("Ctrl+Shift+A",),
+            has_selection,
         ),
         Command(
             "add",
@@ -162,6 +170,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "Add a curve in the middle of the view",
             window.add_curve,
             ("Ctrl+Shift+N",),
+            places=("ground",),
         ),
         Command(
             "duplicate",
@@ -170,8 +179,71 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "Add a copy of the current curve",
             window.curves.duplicate,
             ("Ctrl+D",),
+            has_curve,
+            places=("curve",),
         ),
-        Command("delete", "Curve", "De&lete curve", "Remove the current curve", window.curves.delete),
+        Command(
+            "delete",
+            "Curve",
+            "De&lete curve",
+            "Remove the current curve",
+            window.curves.delete,
+            ("Delete",),
+            can_edit,
+            on_list=True,
+            places=("curve",),
+        ),
+        Command(
+            "rename",
+            "Curve",
+            "Re&name curve",
+            "Give the current curve another name, in the list of curves",
+            window.curves.rename,
+            enabled=can_edit,
+            places=("curve",),
+            gap=True,
+        ),
+        Command(
+            "hide",
+            "Curve",
+            "Hide or sho&w curve",
+            "Hide the current curve, or show it again",
+            window.curves.toggle_visible,
+            enabled=has_curve,
+            places=("curve",),
+        ),
+        Command(
+            "lock",
+            "Curve",
+            "Lo&ck or unlock curve",
+            "Guard the current curve against edits, or let it be edited again",
+            window.curves.toggle_locked,
+            enabled=has_curve,
+            places=("curve",),
+        ),
+        Command(
+            "move_up",
+            "Curve",
+            "Move &up in the list",
+            "Move the current curve one place up in the list, which draws it further beneath",
+            lambda: window.curves.reorder(-1),
+            ("Ctrl+Up",),
+            lambda window: window.selection.curve > 0,
+            on_list=True,
+            places=("curve",),
+            gap=True,
+        ),
+        Command(
+            "move_down",
+            "Curve",
+            "Mo&ve down in the list",
+            "Move the current curve one place down in the list, which draws it further on top",
+            lambda: window.curves.reorder(1),
+            ("Ctrl+Down",),
+            lambda window: 0 <= window.selection.curve < len(window.document.drawing) - 1,
+            on_list=True,
+            places=("curve",),
+        ),
         mode("trigonometric", Mode.TRIGONOMETRIC, "Make segments &trigonometric", "T", gap=True),
         mode("hyperbolic", Mode.HYPERBOLIC, "Make segments &hyperbolic", "H"),
         mode("interpolating", Mode.INTERPOLATING, "Make segments &interpolating", "I"),
@@ -199,11 +271,21 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "&Reverse direction",
             "Run through the current curve the other way",
             window.reverse,
+            enabled=can_edit,
+            places=("segment", "curve"),
             gap=True,
         ),
         *map(insert, KNOWN, _with_mnemonics([known.name for known in KNOWN])),
         Command(
-            "fit", "View", "&Fit", "Show the whole drawing", canvas.fit, ("F",), on_canvas=True, brief="Fit"
+            "fit",
+            "View",
+            "&Fit",
+            "Show the whole drawing",
+            canvas.fit,
+            ("F",),
+            on_canvas=True,
+            brief="Fit",
+            places=("ground",),
         ),
         Command(
             "zoom_in",
@@ -238,6 +320,26 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
         shown("ghost", "G&host", "Show the curve as it was while it is dragged", gap=True),
         shown("uniform", "Ordinary &B-spline", "Show the uniform B-spline of the same degree and polygon"),
         shown("legend", "L&egend", "Show which colour means which mode"),
+        theme(Theme.SYSTEM, "&System"),
+        theme(Theme.LIGHT, "&Light"),
+        theme(Theme.DARK, "&Dark"),
+        Command(
+            "palette",
+            "Help",
+            "&Find a command…",
+            "Type a few letters of what you want to do",
+            window.find_command,
+            ("Ctrl+Shift+P",),
+            places=("ground",),
+        ),
+        Command(
+            "shortcuts",
+            "Help",
+            "&Keys and mouse…",
+            "Everything the keys and the mouse do",
+            window.show_shortcuts,
+            ("?", "F1"),
+        ),
         Command(
             "tour",
             "Help",
@@ -258,30 +360,3 @@ def _with_mnemonics(names: list[str]) -> list[str]:
         taken.add(name[place].lower())
         marked.append(f"{name[:place]}&{name[place:]}")
     return marked
-
-
-def make_action(window: MainWindow, command: Command) -> QAction:
-    """The action of a command, with its keys in force."""
-    action = QAction(command.text, window)
-    action.setObjectName(command.name)
-    sequences = [s for key in command.keys for s in _sequences(key)]
-    action.setShortcuts(list(dict.fromkeys(sequences)))
-    shortcut = f" ({sequences[0].toString(QKeySequence.SequenceFormat.NativeText)})" if sequences else ""
-    action.setToolTip(command.tip + shortcut)
-    action.setStatusTip(command.tip)
-    if command.brief:
-        action.setIconText(command.brief)
-    if command.on_canvas:
-        action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
-        window.canvas.addAction(action)
-    if command.checked is None:
-        action.triggered.connect(lambda _checked=False: command.run())
-    else:
-        action.setCheckable(True)
-        action.setChecked(command.checked)
-        action.toggled.connect(command.run)
-    return action
-
-
-def _sequences(key: str | QKeySequence.StandardKey) -> list[QKeySequence]:
-    return [QKeySequence(key)] if isinstance(key, str) else QKeySequence.keyBindings(key)

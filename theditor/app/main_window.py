@@ -18,12 +18,15 @@ from PySide6.QtWidgets import (
 )
 
 from theditor.app.actions import commands
+from theditor.app.context_menus import ContextMenus
 from theditor.app.docks import add_dock, scrolling_column
 from theditor.app.files import Files
 from theditor.app.insert_dialog import InsertDialog
 from theditor.app.lambda_dialogs import LambdaDialog
 from theditor.app.menus import build_menus
+from theditor.app.palette import Palette
 from theditor.app.problems import MessageBar
+from theditor.app.shortcuts import Shortcuts
 from theditor.app.tour import GuideBar
 from theditor.canvas import Canvas, Pointed
 from theditor.drawing import Item
@@ -34,6 +37,7 @@ from theditor.panels.curvature import CurvaturePanel
 from theditor.panels.curve import CurvePanel
 from theditor.panels.curves import CurvesPanel
 from theditor.panels.lambda_strip import LambdaStrip
+from theditor.panels.points import PointsPanel
 from theditor.panels.segment_info import SegmentPanel
 from theditor.panels.segments import SegmentsPanel
 from theditor.panels.shape import ShapePanel
@@ -57,7 +61,9 @@ class MainWindow(QMainWindow):
         self.messages, self.guide = MessageBar(), GuideBar()
         self.files = Files(self)
         self._build_panels()
-        self.actions_by_name = build_menus(self, commands(self))
+        self.commands = commands(self)
+        self.actions_by_name = build_menus(self)
+        self.context_menus = ContextMenus(self)
         self._build_status_line()
         self._follow()
         self._restore_layout()
@@ -82,7 +88,7 @@ class MainWindow(QMainWindow):
             SegmentsPanel(*model),
             SegmentPanel(*model),
         )
-        self.strip = LambdaStrip(*model)
+        self.strip, self.points = LambdaStrip(*model), PointsPanel(*model)
         self.basis, self.curvature = BasisPanel(*model), CurvaturePanel(*model)
         self.continuity = ContinuityPanel(*model)
         self.curves.add_requested.connect(self.add_curve)
@@ -98,6 +104,7 @@ class MainWindow(QMainWindow):
             add_dock(self, title, name, panel, bottom)
             for title, name, panel in (
                 ("λ strip", "lambda_strip", self.strip),
+                ("Points", "points", self.points),
                 ("Basis", "basis", self.basis),
                 ("Curvature", "curvature", self.curvature),
                 ("Continuity", "continuity", self.continuity),
@@ -125,7 +132,7 @@ class MainWindow(QMainWindow):
         for linked in (self.basis, self.curvature, self.continuity):
             linked.hovered.connect(self.canvas.show_place)
         self.curvature.comb_changed.connect(self._show_comb)
-        for panel in (self.curves, self.curve, self.shape, self.segments, self.strip):
+        for panel in (self.curves, self.curve, self.shape, self.segments, self.strip, self.points):
             panel.announce.connect(self.announce)
 
     def _follow(self) -> None:
@@ -147,25 +154,17 @@ class MainWindow(QMainWindow):
         self._show_state()
 
     def _show_state(self, *_: object) -> None:
-        stack, item = self.document.undo_stack, self.selection.item
+        stack = self.document.undo_stack
         self.setWindowModified(not self.document.is_clean)
-        for name, can, text in (
-            ("undo", stack.canUndo(), stack.undoText()),
-            ("redo", stack.canRedo(), stack.redoText()),
-        ):
+        for name, text in (("undo", stack.undoText()), ("redo", stack.redoText())):
             action = self.actions_by_name[name]
             verb = name.capitalize()
-            action.setEnabled(can or (name == "undo" and self.document.before is not None))
             action.setText(f"&{verb} {text}".rstrip())
             action.setIconText(verb)
             keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
             action.setToolTip(f"{verb} {text}".rstrip() + f" ({keys})")
-        editable = item is not None and not item.locked
-        modes, many = ("trigonometric", "hyperbolic", "interpolating"), ("gradient", "smooth", "formula")
-        for name in ("delete", "reverse", *modes, *many):
-            self.actions_by_name[name].setEnabled(editable)
-        for name in ("duplicate", "select_all"):
-            self.actions_by_name[name].setEnabled(item is not None)
+        for command in self.commands:
+            self.actions_by_name[command.name].setEnabled(command.enabled(self))
 
     def announce(self, text: str) -> None:
         """Say something in the status line, until the pointer finds something else to say or some seconds pass."""
@@ -258,6 +257,14 @@ class MainWindow(QMainWindow):
             self.document.apply_curve("Reverse direction", self.selection.curve, item.curve.reversed())
 
     # The window itself
+
+    def find_command(self) -> None:
+        """Let the user find a command by words and run it."""
+        Palette(self.menuBar(), self).open()
+
+    def show_shortcuts(self) -> None:
+        """Show what the keys and the mouse do."""
+        Shortcuts(self).open()
 
     def about(self) -> None:
         """Say what this is."""

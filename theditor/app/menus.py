@@ -5,32 +5,40 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction, QActionGroup
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMenu, QToolBar
 
-from theditor.app.actions import Command, make_action
-from theditor.app.theme import Theme, choose_theme, chosen_theme
+from theditor.app.command import Command, make_action
 
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
 
 
-def build_menus(window: MainWindow, table: tuple[Command, ...]) -> dict[str, QAction]:
+def build_menus(window: MainWindow) -> dict[str, QAction]:
     """Fill the menu bar and the toolbar; return the actions by the names of their commands."""
-    actions: dict[str, QAction] = {}
+    actions = {command.name: make_action(window, command) for command in window.commands}
     menus: dict[str, QMenu] = {}
-    for command in table:
-        menu = menus.get(command.menu) or window.menuBar().addMenu("&" + command.menu)
-        menus[command.menu] = menu
+    for command in window.commands:
+        menu = _menu(window, menus, command.menu)
         if command.gap:
             menu.addSeparator()
-        action = make_action(window, command)
-        actions[command.name] = action
-        menu.addAction(action)
+        menu.addAction(actions[command.name])
     menus["File"].insertMenu(actions["gallery"], _recent_menu(window))
-    _add_themes_and_panels(window, menus["View"])
-    window.addToolBar(_toolbar([(command, actions[command.name]) for command in table if command.brief]))
+    panels = menus["View"].addMenu("&Panels")
+    for dock in window.findChildren(QDockWidget):
+        panels.addAction(dock.toggleViewAction())
+    buttons = [(command, actions[command.name]) for command in window.commands if command.brief]
+    window.addToolBar(_toolbar(buttons))
     return actions
+
+
+def _menu(window: MainWindow, menus: dict[str, QMenu], path: str) -> QMenu:
+    """The menu at a path such as ``"View/Theme"``, made when it is first asked for."""
+    if path not in menus:
+        above, _, title = path.rpartition("/")
+        parent = _menu(window, menus, above) if above else window.menuBar()
+        menus[path] = parent.addMenu("&" + title)
+    return menus[path]
 
 
 def _toolbar(buttons: list[tuple[Command, QAction]]) -> QToolBar:
@@ -54,19 +62,3 @@ def _recent_menu(window: MainWindow) -> QMenu:
     menu.setObjectName("recent")
     menu.aboutToShow.connect(lambda: window.files.list_recent(menu))
     return menu
-
-
-def _add_themes_and_panels(window: MainWindow, menu: QMenu) -> None:
-    menu.addSeparator()
-    themes = menu.addMenu("&Theme")
-    choice = QActionGroup(window)
-    for theme, text in ((Theme.SYSTEM, "&System"), (Theme.LIGHT, "&Light"), (Theme.DARK, "&Dark")):
-        action = themes.addAction(text)
-        action.setObjectName(f"theme_{theme}")
-        action.setCheckable(True)
-        action.setChecked(theme is chosen_theme())
-        action.triggered.connect(lambda _checked=False, theme=theme: choose_theme(theme))
-        choice.addAction(action)
-    panels = menu.addMenu("&Panels")
-    for dock in window.findChildren(QDockWidget):
-        panels.addAction(dock.toggleViewAction())

@@ -67,7 +67,8 @@ class ContinuityModel(QAbstractTableModel):
             self.endResetModel()
         else:
             self.report = report
-            self.dataChanged.emit(self.index(0, 0), self.index(len(report) - 1, len(COLUMNS) - 1))
+            if len(report):
+                self.dataChanged.emit(self.index(0, 0), self.index(len(report) - 1, len(COLUMNS) - 1))
 
     def rowCount(self, parent: ModelIndex = NO_INDEX) -> int:
         """Return the number of joints."""

@@ -15,8 +15,15 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPainterPath, QPen
-from PySide6.QtWidgets import QLineEdit, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPaintEvent, QPen
+from PySide6.QtWidgets import (
+    QApplication,
+    QLineEdit,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QWidget,
+)
 
 from theditor.drawing import Drawing, Item
 from theditor.drawing.drawing import NAME_LENGTH
@@ -130,12 +137,17 @@ class CurveList(RowList):
     lock_clicked = Signal(int)
     """The lock of this row was clicked."""
 
+    dragged = Signal(int, int)
+    """A row was dragged to another place, counted without it."""
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(least=1, greatest=5, parent=parent)
         self.setSelectionMode(RowList.SelectionMode.SingleSelection)
         triggers = RowList.EditTrigger
         self.setEditTriggers(triggers.DoubleClicked | triggers.EditKeyPressed)
         self.setItemDelegate(_CurveDelegate(self))
+        self._dragged = self._gap = -1
+        self._pressed_at = 0
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Click eye or lock without changing the current curve; elsewhere select."""
@@ -147,7 +159,51 @@ class CurveList(RowList):
                 if rect.contains(position):
                     clicked.emit(index.row())
                     return
+            self._dragged = index.row()
+            self._pressed_at = position.y()
         super().mousePressEvent(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Show where the row that is dragged would go."""
+        y = event.position().toPoint().y()
+        if self._dragged < 0:
+            super().mouseMoveEvent(event)
+        elif self._gap >= 0 or abs(y - self._pressed_at) >= QApplication.startDragDistance():
+            rows = self.model().rowCount()
+            row = round((y + self.verticalOffset()) / ROW_HEIGHT)
+            self._show_gap(min(max(row, 0), rows))
+            self.scrollTo(self.model().index(min(max(row - (y < self._pressed_at), 0), rows - 1), 0))
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """Let the row that is dragged go where the line is."""
+        row, gap = self._dragged, self._gap
+        self._dragged = -1
+        self._show_gap(-1)
+        super().mouseReleaseEvent(event)
+        if gap >= 0:
+            self.dragged.emit(row, gap - (gap > row))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape leaves the row that is dragged where it is."""
+        if event.key() == Qt.Key.Key_Escape and self._gap >= 0:
+            self._dragged = -1
+            self._show_gap(-1)
+        else:
+            super().keyPressEvent(event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the rows, and a line where the row that is dragged would go."""
+        super().paintEvent(event)
+        if self._gap >= 0:
+            painter = QPainter(self.viewport())
+            y = self._gap * ROW_HEIGHT - self.verticalOffset()
+            y = min(max(y - 1, 0), self.viewport().height() - 2)
+            painter.fillRect(0, y, self.viewport().width(), 2, QColor(colours_for(self.palette()).accent))
+            painter.end()
+
+    def _show_gap(self, gap: int) -> None:
+        self._gap = gap
+        self.viewport().update()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Rename, except on eye and lock, where a second click is a click."""

@@ -14,7 +14,8 @@ from theditor.panels.curve_list import CurveList, CurveModel
 from theditor.panels.parts import column, describe, heading
 
 _LIST_TIP = (
-    "Curves of the drawing, the topmost last. Double-click or F2 renames; eye and lock can be clicked."
+    "Curves of the drawing, the topmost last. Double-click or F2 renames; eye and lock can be clicked; "
+    "a drag or Ctrl with an arrow key reorders."
 )
 
 
@@ -59,6 +60,7 @@ class CurvesPanel(QWidget):
         self.model.renamed.connect(self._rename)
         self.list.eye_clicked.connect(self._toggle_visible)
         self.list.lock_clicked.connect(self._toggle_locked)
+        self.list.dragged.connect(self._reorder)
         self.list.selectionModel().currentChanged.connect(self._select)
         document.changed.connect(self._follow)
         selection.changed.connect(self._show_current)
@@ -86,6 +88,36 @@ class CurvesPanel(QWidget):
             return
         self._document.apply("Delete curve", self._document.drawing.without(self._selection.curve))
         self.announce.emit(f"“{item.name}” is deleted; Undo brings it back.")
+
+    def rename(self) -> None:
+        """Let the name of the current curve be typed in its row."""
+        self.list.setFocus()
+        self.list.edit(self.list.currentIndex())
+
+    def toggle_visible(self) -> None:
+        """Hide the current curve, or show it."""
+        self._toggle_visible(self._selection.curve)
+
+    def toggle_locked(self) -> None:
+        """Lock the current curve, or unlock it."""
+        self._toggle_locked(self._selection.curve)
+
+    def reorder(self, step: int) -> None:
+        """Move the current curve by that many places in the list, as far as it goes."""
+        self._reorder(self._selection.curve, self._selection.curve + step)
+
+    def _reorder(self, row: int, place: int) -> None:
+        """Take the curve of a row to another place; it becomes the current one and keeps what is selected on it."""
+        drawing, selection = self._document.drawing, self._selection
+        place = min(max(place, 0), len(drawing) - 1)
+        if row == place:
+            return
+        kept = (selection.points, selection.segments) if row == selection.curve else ((), ())
+        self._document.apply("Reorder curves", drawing.without(row).inserted(place, drawing[row]))
+        selection.select(curve=place, points=kept[0], segments=kept[1])
+        where = "beneath" if place < row else "above"
+        neighbour = self._document.drawing[place + 1 if place < row else place - 1]
+        self.announce.emit(f"“{drawing[row].name}” lies {where} “{neighbour.name}” now.")
 
     def _rename(self, row: int, name: str) -> None:
         drawing = self._document.drawing

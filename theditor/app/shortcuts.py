@@ -1,0 +1,104 @@
+"""The sheet of shortcuts: what every key does, and what the mouse does on the canvas."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from theditor.app.command import plain
+
+if TYPE_CHECKING:
+    from theditor.app.main_window import MainWindow
+
+_COLUMNS = 3
+_MOUSE = (
+    ("Drag a point", "Move the selected control points"),
+    ("Drag the curve", "Pull it, which changes λ"),
+    ("Drag a joint", "Slide it, which changes λ"),
+    ("Drag the ground", "Select the points in a rectangle"),
+    ("Shift", "Add to the selection; suspend snapping"),
+    ("Ctrl", "Keep to the horizontal or vertical"),
+    ("Escape", "Take a drag back; select nothing"),
+    ("Wheel", "Zoom at the pointer"),
+    ("Space or middle button", "Pan"),
+    ("Right button, menu key", "What can be done here"),
+)
+
+
+class Shortcuts(QDialog):
+    """All keys by menu, and the mouse, on one sheet."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self.setWindowTitle("Keys and mouse")
+        self.resize(960, 560)
+        self.groups = keys_by_menu(window) | {"On the canvas": list(_MOUSE)}
+        sheet = QWidget()
+        columns = QHBoxLayout(sheet)
+        columns.setSpacing(32)
+        stacks = [QVBoxLayout() for _ in range(_COLUMNS)]
+        heights = [0] * _COLUMNS
+        for title, rows in self.groups.items():
+            shortest = heights.index(min(heights))
+            stacks[shortest].addWidget(_group(title, rows))
+            heights[shortest] += len(rows) + 2
+        for stack in stacks:
+            stack.addStretch(1)
+            columns.addLayout(stack)
+        scroll = QScrollArea()
+        scroll.setAccessibleName("Keys and mouse")
+        scroll.setWidgetResizable(True)
+        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll.setWidget(sheet)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addWidget(scroll)
+        layout.addWidget(buttons)
+
+
+def keys_by_menu(window: MainWindow) -> dict[str, list[tuple[str, str]]]:
+    """Keys and what they do, for every command that has one, by the title of its menu."""
+    groups: dict[str, list[tuple[str, str]]] = {}
+    for command in window.commands:
+        action = window.actions_by_name[command.name]
+        keys = [key.toString(QKeySequence.SequenceFormat.NativeText) for key in action.shortcuts()]
+        if keys:
+            where = " (on the canvas)" if command.on_canvas else " (in the list)" if command.on_list else ""
+            group = groups.setdefault(command.menu.partition("/")[0], [])
+            group.append((" or ".join(keys[:2]), plain(command.text) + where))
+    return groups
+
+
+def _group(title: str, rows: list[tuple[str, str]]) -> QWidget:
+    group = QWidget()
+    grid = QGridLayout(group)
+    grid.setContentsMargins(0, 0, 0, 12)
+    grid.setVerticalSpacing(4)
+    grid.setHorizontalSpacing(12)
+    heading = QLabel(title)
+    heading.setProperty("role", "heading")
+    grid.addWidget(heading, 0, 0, 1, 2)
+    for number, (keys, what) in enumerate(rows, start=1):
+        key = QLabel(keys)
+        key.setProperty("role", "secondary")
+        key.setAlignment(Qt.AlignmentFlag.AlignTop)
+        words = QLabel(what)
+        words.setWordWrap(True)
+        grid.addWidget(key, number, 0)
+        grid.addWidget(words, number, 1)
+    grid.setColumnStretch(1, 1)
+    return group
