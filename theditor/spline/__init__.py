@@ -22,6 +22,7 @@ from theditor.spline.guards import Guards, ReversedJoint, hull, negative_basis, 
 from theditor.spline.kinds import Kind
 from theditor.spline.lambdas import gradient, shifted, smoothed
 from theditor.spline.length import arc_length, arc_lengths, parameter_at
+from theditor.spline.points import Edited, insert, insert_on_edge, remove
 from theditor.spline.reach import Reach, Track, joint_track, middle_track, reach
 from theditor.spline.recognise import Missing, Recognised, missing, recognise, recognise_segments
 from theditor.spline.sampling import (
@@ -47,6 +48,7 @@ __all__ = [
     "Continuity",
     "CurvatureExtremes",
     "Curve",
+    "Edited",
     "Ends",
     "FormulaError",
     "Guards",
@@ -77,6 +79,8 @@ __all__ = [
     "gradient",
     "hull",
     "inflections",
+    "insert",
+    "insert_on_edge",
     "intersections",
     "intervals_for",
     "joint_track",
@@ -94,6 +98,7 @@ __all__ = [
     "reach",
     "recognise",
     "recognise_segments",
+    "remove",
     "reversed_joints",
     "sample_adaptively",
     "segment_bounds",

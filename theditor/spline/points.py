@@ -1,0 +1,232 @@
+"""Control points more and fewer, with the shape kept as well as it can be.
+
+TH-splines have no exact knot insertion: the control points around the place are refitted by least squares,
+and what that changed is measured.
+"""
+
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from theditor.spline.checks import check_count, clean_indices
+from theditor.spline.curve import Curve
+from theditor.spline.deviation import deviation
+from theditor.spline.refit import Indices, refitted
+from theditor.spline.shape import locate
+
+_AROUND: Final = 3  # control points refitted on either side
+_PER_SEGMENT: Final = 16  # samples of the old shape
+_WORTH: Final = 0.5  # a λ of its own must bring the change of shape down to this part of it
+
+
+class Edited(NamedTuple):
+    """A curve made from another one, and how far its shape is from that."""
+
+    curve: Curve
+    deviation: float  # largest distance between old and new shape, in the units of the control points
+
+
+def insert(curve: Curve, u: float) -> Edited:
+    """Return the curve with one control point more, its shape changed least.
+
+    The new point lies between the two control points whose edge is the nearest to the place by its
+    parameter. It and three control points on either side are refitted; points farther away stay, so do the ends, and
+    every λ but the new one, which is the mean of its neighbours' unless another value at least halves the
+    change of shape.
+
+    Parameters
+    ----------
+    curve : Curve
+    u : float
+        Where on the curve, within its domain.
+
+    Raises
+    ------
+    ValueError
+        If `u` lies outside the domain.
+    """
+    segment, t = locate(curve, u)
+    edge = segment + curve.first_segment
+    if curve.degree == 2 and t < 0.5:
+        edge -= 1  # a quadratic's segment bends round a point, from one edge to the next
+    count = len(curve.control_points)
+    edge %= count
+    if not curve.closed:
+        edge = min(max(edge, 0), count - 2)
+    return _resized(curve, edge + 1, 1)
+
+
+def insert_on_edge(curve: Curve, edge: int, fraction: float = 0.5) -> Edited:
+    """Return the curve with one control point more on an edge of its polygon, all others left alone.
+
+    Parameters
+    ----------
+    curve : Curve
+    edge : int
+        From control point `edge` to the next one; on a closed curve the last edge leads back to the first.
+    fraction : float
+        How far along the edge, from 0 to 1.
+
+    Raises
+    ------
+    ValueError
+        If there is no such edge, or `fraction` is not from 0 to 1.
+    """
+    count = len(curve.control_points)
+    (index,) = clean_indices(edge, count if curve.closed else count - 1, "edge").tolist()
+    if not 0 <= fraction <= 1:
+        raise ValueError(f"fraction must be from 0 to 1 along the edge, not {fraction!r}")
+    points = curve.control_points
+    new = (1 - fraction) * points[index] + fraction * points[(index + 1) % count]
+    grown = curve.with_(
+        control_points=np.insert(points, index + 1, new, axis=0),
+        lambdas=np.insert(curve.lambdas, index + 1, _lambda_between(curve, index + 1)),
+    )
+    start, end = index + 2 - curve.degree - curve.first_segment, index + 2 - curve.first_segment
+    return Edited(grown, deviation(curve, grown, _within(curve, start, end), _within(grown, start, end + 1)))
+
+
+def remove(curve: Curve, indices: ArrayLike, refit: bool = True) -> Edited:
+    """Return the curve with some control points fewer.
+
+    Points at the ends of an open curve take the end with them; the others are taken out run by run.
+
+    Parameters
+    ----------
+    curve : Curve
+    indices : int or array_like of int
+        Which control points.
+    refit : bool
+        Whether three control points on either side of each run are refitted, so that the shape changes
+        least, or all are left alone.
+
+    Raises
+    ------
+    ValueError
+        If there is no such control point, or fewer would stay than the curve needs.
+    """
+    count = len(curve.control_points)
+    where = np.unique(clean_indices(indices, count, "control point"))
+    check_count(count - len(where), curve.degree, curve.closed, curve.ends)
+    if not len(where):
+        return Edited(curve, 0.0)
+    stay = np.setdiff1d(np.arange(count), where)
+    result = curve
+    if refit:
+        for run in reversed(_runs(where, stay)):
+            result = _without(result, run)
+    else:
+        result = curve.with_(control_points=curve.control_points[stay], lambdas=curve.lambdas[stay])
+    u, v = stay - curve.first_segment, np.arange(len(stay)) - curve.first_segment
+    inner = (u > 0) & (u < curve.segment_count) & (v > 0) & (v < result.segment_count)
+    u, v = (np.array([0, *x[inner], c.segment_count]) for x, c in ((u, curve), (v, result)))
+    return Edited(result, deviation(curve, result, u, v))
+
+
+def _runs(where: Indices, stay: Indices) -> list[Indices]:
+    """Return consecutive indices together."""
+    return np.split(where, np.flatnonzero(np.diff(where) > 1) + 1)
+
+
+def _without(curve: Curve, run: Indices) -> Curve:
+    """Return the curve without consecutive control points, those around them refitted."""
+    count = len(curve.control_points)
+    if not curve.closed and (run[0] == 0 or run[-1] == count - 1):
+        return curve.with_(
+            control_points=np.delete(curve.control_points, run, axis=0), lambdas=np.delete(curve.lambdas, run)
+        )
+    return _resized(curve, int(run[0]), -len(run)).curve
+
+
+def _resized(curve: Curve, at: int, change: int) -> Edited:
+    """Return the curve with one control point more before `at` (change = 1), or −change fewer from there on.
+
+    The points around are refitted.
+    """
+    if not curve.closed:
+        return _rebuilt(curve, at, change)
+    # Turned so that the place lies in the middle, then back.
+    count = len(curve.control_points)
+    middle = (count + min(change, 0)) // 2
+    order = np.roll(np.arange(count), middle - at)
+    edited = _rebuilt(_turned(curve, at - middle), middle, change)
+    order = (
+        np.insert(order, middle, count) if change > 0 else np.delete(order, slice(middle, middle - change))
+    )
+    return Edited(_turned(edited.curve, int(order.argmin())), edited.deviation)
+
+
+def _turned(curve: Curve, start: int) -> Curve:
+    """Return a closed curve that begins with another of its control points."""
+    return curve.with_(
+        control_points=np.roll(curve.control_points, -start, axis=0), lambdas=np.roll(curve.lambdas, -start)
+    )
+
+
+def _rebuilt(curve: Curve, at: int, change: int) -> Edited:
+    """As `_resized`, for a place that is not near a closed curve's seam."""
+    start, free = _renumbered(curve, at, change)
+    first, count, new_count = curve.first_segment, curve.segment_count, start.segment_count
+    if len(free) in (0, len(start.control_points)):
+        low, high = 0, new_count
+    else:
+        low, high = int(free[0]) - first - curve.degree + 1, int(free[-1]) - first + 2
+    interval, new_interval = _within(curve, low, high - change), _within(start, low, high)
+    u = np.linspace(*interval, _PER_SEGMENT * (interval[1] - interval[0]) + 1)
+    v = np.interp(u, interval, new_interval)
+    held = np.zeros(len(u), dtype=np.bool_)
+    if not curve.closed:
+        held = (u == 0) | (u == count)
+    targets = curve(u % count if curve.closed else u)
+    fitted, v = refitted(start, targets, v, free, held=held) if len(free) else (start, v)
+    best = Edited(fitted, deviation(curve, fitted, interval, new_interval))
+    if change > 0 and start.active_lambdas[at]:
+        fitted, _ = refitted(fitted, targets, v, free, np.array([at]), held)
+        apart = deviation(curve, fitted, interval, new_interval)
+        if apart <= _WORTH * best.deviation:
+            best = Edited(fitted, apart)
+    return best
+
+
+def _renumbered(curve: Curve, at: int, change: int) -> tuple[Curve, Indices]:
+    """Return the curve to start from, and the control points of it that are free.
+
+    These are spread evenly over the part of the polygon that they replace.
+    """
+    points, lambdas = curve.control_points, curve.lambdas
+    count = len(points) + change
+    low, high = at - _AROUND, at + _AROUND - (change < 0)
+    if curve.closed and high - low + 1 >= count:
+        low, high = 0, count - 1
+        before, after = 0, count
+    else:
+        kept = int(not curve.closed and curve.ends == "clamped")
+        if not curve.closed:
+            low, high = max(low, kept), min(high, count - 1 - kept)
+        before, after = (low - 1, high + 1) if curve.closed else (max(low - 1, 0), min(high + 1, count - 1))
+    free = np.arange(low, high + 1)
+    places = before + (free - before) * (after - change - before) / max(after - before, 1)
+    around = np.arange(-1, len(points) + 2)
+    polygon = points[around % len(points)]
+    spread = np.stack([np.interp(places, around, x) for x in polygon.T], axis=1)
+    if change > 0:
+        lambdas = np.insert(lambdas, at, _lambda_between(curve, at))
+    else:
+        lambdas = np.delete(lambdas, slice(at, at - change))
+    points = np.concatenate((points[:low], spread, points[high + 1 - change :]))
+    return curve.with_(control_points=points, lambdas=lambdas), free
+
+
+def _lambda_between(curve: Curve, at: int) -> float:
+    """Return the λ for a new control point before `at`: a quadratic's edge hands on its own."""
+    pair = np.array([at - 1, at]) % len(curve.lambdas)
+    if curve.degree == 2:
+        pair = pair[1:]
+    active = pair[curve.active_lambdas[pair]]
+    return float(np.mean(curve.lambdas[active if len(active) else pair]))
+
+
+def _within(curve: Curve, low: int, high: int) -> tuple[int, int]:
+    """Return an interval cut down to the domain; a closed curve's may run over the seam."""
+    return (low, high) if curve.closed else (max(low, 0), min(high, curve.segment_count))
