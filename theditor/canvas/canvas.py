@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,8 @@ from theditor.canvas.fit import fitted
 from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit, exists, parameter_of
 from theditor.canvas.legend import Legend
 from theditor.canvas.overlays import guards_of
+from theditor.canvas.pen import PenTool
+from theditor.canvas.picking import key_of
 from theditor.canvas.picture import Frame, Shown, paint_ground, paint_picture
 from theditor.canvas.select import SelectTool
 from theditor.canvas.shaping import PullCurve
@@ -24,22 +26,10 @@ from theditor.canvas.tool import Bench, Keys, Tool
 from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pan, Pointer
 from theditor.canvas.view import PlaneView
 from theditor.canvas.viewport import Floats
-from theditor.canvas.words import describe, hint
+from theditor.canvas.words import Pointed, describe, hint
 from theditor.drawing import Drawing
 from theditor.model import Document, Selection, colours_for, unbreakable
 from theditor.spline import CONVEX_HULL_RANGE, PULL_BOUNDS
-
-
-@dataclass(frozen=True)
-class Pointed:
-    """What the pointer is over, for the status line; `position` is None when it is outside."""
-
-    position: tuple[float, float] | None
-    over: str
-    hint: str
-    scale: float
-    u: float | None = None
-    """The parameter of the current curve at the pointer, if it is over it."""
 
 
 @unbreakable
@@ -48,6 +38,7 @@ class Canvas(PlaneView):
 
     pointed = Signal(object)
     announce = Signal(str)
+    tool_changed = Signal(str)
 
     def __init__(self, document: Document, selection: Selection, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -68,6 +59,10 @@ class Canvas(PlaneView):
             document, selection, self, self._curves, self.snapper, lambda: self._bounds, self.announce.emit
         )
         self._select = SelectTool(bench)
+        self._tools: dict[str, Tool] = {
+            "select": self._select,
+            "pen": PenTool(bench, lambda: self.use("select")),
+        }
         self._tool: Tool = self._select
 
         self.box.sigTransformChanged.connect(self._view_changed)
@@ -84,6 +79,28 @@ class Canvas(PlaneView):
         self.setMinimumSize(240, 160)
         document.changed.connect(self._drawing_changed)
         selection.changed.connect(self._selection_changed)
+
+    # Tools
+
+    def use(self, name: str) -> None:
+        """Take up a tool: ``"select"``, ``"pen"`` or ``"freehand"``."""
+        tool = self._tools[name]
+        if tool is self._tool:
+            return
+        self.cancel_drag()
+        self._tool.leave()
+        self._tool = tool
+        self.tool_changed.emit(name)
+        self._hover()
+        self.viewport().update()
+
+    def event(self, event: QEvent) -> bool:
+        """Keep the keys that mean something to the tool from the commands."""
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
+            taken = event.key() in self._tool.keys
+            event.setAccepted(taken)
+            return taken or bool(super().event(event))
+        return bool(super().event(event))
 
     # What is shown
 
@@ -132,6 +149,7 @@ class Canvas(PlaneView):
             self._reach_points(),
             self._drag.corners if isinstance(self._drag, Marquee) else None,
             self._drag.miss if isinstance(self._drag, PullCurve) else None,
+            self._tool.sketch,
             self._drag.snapped if isinstance(self._drag, MovePoints) else self._tool.snapped,
         )
 
@@ -209,7 +227,8 @@ class Canvas(PlaneView):
         )
         if self._drag is None:
             self._set_cursor()
-        if _grabbed(before) != _grabbed(self._hit):
+        current = self._selection.curve
+        if key_of(before, current) != key_of(self._hit, current) or self._tool is not self._select:
             self.viewport().update()
         self._tell()
 
@@ -369,8 +388,3 @@ def _keys(event: QKeyEvent) -> Keys:
         shift=bool(held & Qt.KeyboardModifier.ShiftModifier),
         ctrl=bool(held & Qt.KeyboardModifier.ControlModifier),
     )
-
-
-def _grabbed(hit: Hit) -> Hit | tuple[int, int]:
-    """What a hit would grab, whatever its exact place."""
-    return (hit.curve, hit.segment) if isinstance(hit, SegmentHit) else hit

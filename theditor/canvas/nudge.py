@@ -10,7 +10,7 @@ from theditor.canvas.projection import moved
 from theditor.canvas.tool import Bench, Keys
 from theditor.spline import MAX_COORDINATE
 
-ARROWS = {
+ARROWS: dict[int, tuple[float, float]] = {
     Qt.Key.Key_Left: (-1.0, 0.0),
     Qt.Key.Key_Right: (1.0, 0.0),
     Qt.Key.Key_Up: (0.0, 1.0),
@@ -25,7 +25,7 @@ def nudge(bench: Bench, keys: Keys) -> bool:
     lines; ten of them with Shift; one pixel with Ctrl. Steps that follow each other are one undo step.
     """
     item, chosen = bench.selection.item, np.array(sorted(bench.selection.points), dtype=np.intp)
-    direction = ARROWS.get(Qt.Key(keys.key))
+    direction = ARROWS.get(keys.key)
     if direction is None or item is None or item.locked or not item.visible or not len(chosen):
         return False
     scale = bench.view.plane.scale

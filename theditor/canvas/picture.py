@@ -15,6 +15,7 @@ from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, Segment
 from theditor.canvas.labels import MOST, paint_labels
 from theditor.canvas.projection import projected
 from theditor.canvas.shaping import track_of
+from theditor.canvas.sketch import Sketch, paint_sketch
 from theditor.canvas.snapping import Snapped
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.drawing import Drawing
@@ -71,6 +72,8 @@ class Frame:
     """Two opposite corners in the plane, (2, 2)."""
     miss: Floats | None = None
     """What a pull reached and where the pointer is, in the plane, (2, 2)."""
+    sketch: Sketch | None = None
+    """The curve to come."""
     snapped: Snapped | None = None
     """What the point at hand is drawn to."""
 
@@ -83,10 +86,22 @@ def paint_ground(painter: QPainter, frame: Frame) -> None:
 
 
 def paint_picture(painter: QPainter, frame: Frame, curves: CurvesPainter) -> None:
-    """Paint the curves, then what the current one is held by."""
+    """Paint the curves, then what the current one is held by, then what the hand is about to do."""
+    _paint_curves(painter, frame, curves)
+    plane, colours = frame.plane, frame.colours
+    if frame.sketch is not None:
+        paint_sketch(painter, frame.sketch, plane, colours)
+    if frame.snapped is not None:
+        place = plane.to_pixels(frame.snapped.point)
+        overlays.paint_snapped(painter, place, frame.snapped.to, colours, frame.font)
+    if frame.marquee is not None:
+        _paint_marquee(painter, plane.to_pixels(frame.marquee), colours)
+
+
+def _paint_curves(painter: QPainter, frame: Frame, curves: CurvesPainter) -> None:
     drawing, current, plane, colours = frame.drawing, frame.current, frame.plane, frame.colours
     curves.update(drawing, plane)
-    if not len(drawing):
+    if not len(drawing) and frame.sketch is None:
         _paint_empty(painter, frame)
     if isinstance(frame.hit, SegmentHit):
         curves.paint_halo(painter, frame.hit.curve, [frame.hit.segment], plane, colours, width=7.0)
@@ -125,12 +140,6 @@ def paint_picture(painter: QPainter, frame: Frame, curves: CurvesPainter) -> Non
     handles.paint_handles(painter, curve, plane, frame.points, hovered, colours)
     if frame.shown.labels:
         _paint_labels(painter, frame, curve, curves)
-    if frame.snapped is not None:
-        overlays.paint_snapped(
-            painter, plane.to_pixels(frame.snapped.point), frame.snapped.to, colours, frame.font
-        )
-    if frame.marquee is not None:
-        _paint_marquee(painter, plane.to_pixels(frame.marquee), colours)
 
 
 def _paint_curvature(painter: QPainter, frame: Frame, curve: Curve) -> None:

@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import Qt
 
 from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit
-from theditor.canvas.nudge import nudge
+from theditor.canvas.nudge import ARROWS, nudge
 from theditor.canvas.picking import Key, key_of, pick
 from theditor.canvas.shaping import PullCurve, SlideJoint
 from theditor.canvas.snapping import Snapped
@@ -131,6 +131,11 @@ class SelectTool:
         lam = number(float(item.curve.lambdas[index]))
         self._bench.say(f"{indexed('P', index)} at ({where}), {indexed('λ', index)} = {lam}")
         return True
+
+    @property
+    def keys(self) -> frozenset[int]:
+        """The arrows, while there are points to nudge."""
+        return frozenset(ARROWS) if self._bench.selection.points else frozenset()
 
     def leave(self) -> None:
         """Nothing is unfinished."""

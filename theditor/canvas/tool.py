@@ -10,9 +10,11 @@ from PySide6.QtCore import Qt
 
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.hit_test import Hit
+from theditor.canvas.sketch import Sketch
 from theditor.canvas.snapping import Snapped, Snapper
 from theditor.canvas.tools import Drag, Pointer
 from theditor.canvas.view import PlaneView
+from theditor.drawing import Item
 from theditor.model import Document, Selection
 from theditor.spline import Curve
 
@@ -31,6 +33,14 @@ class Bench:
     say: Callable[[str], None]
     """Tells what happened."""
 
+    def draw(self, curve: Curve) -> None:
+        """Add a curve to the drawing in one undo step, and make it current."""
+        drawing = self.document.drawing
+        names = {item.name for item in drawing}
+        number = next(n for n in range(1, len(drawing) + 2) if f"Curve {n}" not in names)
+        self.document.apply("Draw curve", drawing.inserted(len(drawing), Item(curve, name=f"Curve {number}")))
+        self.selection.select(curve=len(drawing))
+
 
 @dataclass(frozen=True)
 class Keys:
@@ -45,7 +55,11 @@ class Tool(Protocol):
     """What the left button and the keys do on the canvas."""
 
     @property
-    def sketch(self) -> Curve | None:
+    def keys(self) -> frozenset[int]:
+        """Keys that mean something here before they mean a command."""
+
+    @property
+    def sketch(self) -> Sketch | None:
         """The curve to come, if there is one."""
 
     @property

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit
@@ -11,6 +13,18 @@ from theditor.canvas.tools import Drag, MovePoints
 from theditor.drawing import Drawing
 from theditor.model.words import indexed
 from theditor.spline.curvature import curvature
+
+
+@dataclass(frozen=True)
+class Pointed:
+    """What the pointer is over, for the status line; `position` is None when it is outside."""
+
+    position: tuple[float, float] | None
+    over: str
+    hint: str
+    scale: float
+    u: float | None = None
+    """The parameter of the current curve at the pointer, if it is over it."""
 
 
 def describe(hit: Hit, drawing: Drawing, current: int) -> str:
