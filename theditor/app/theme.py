@@ -173,6 +173,7 @@ QHeaderView { background: $panel; border: none; }
 QHeaderView::section {
     background: $panel; color: $secondary; border: none; border-bottom: 1px solid $border; padding: 4px 7px;
 }
+QHeaderView::section:vertical { border: none; }
 QTabBar { background: $panel; qproperty-drawBase: 0; }
 QTabBar::tab {
     background: $panel; color: $secondary; padding: 8px 12px; border: none; border-bottom: 2px solid $border;
