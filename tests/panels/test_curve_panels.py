@@ -157,9 +157,13 @@ def test_eye_and_lock_are_steps_and_leave_the_current_curve(curves, document, se
     assert not document.drawing[1].locked
 
 
-def test_a_name_is_edited_in_its_row(curves, document, qtbot):
-    curves.list.setFocus()
-    qtbot.keyClick(curves.list, KEY.Key_F2)
+@pytest.mark.parametrize("by_key", [True, False])
+def test_a_name_is_edited_in_its_row(curves, document, qtbot, by_key):
+    if by_key:
+        curves.list.setFocus()
+        qtbot.keyClick(curves.list, KEY.Key_F2)
+    else:
+        curves.rename()
     editor = curves.list.viewport().findChild(QLineEdit)
     editor.selectAll()
     qtbot.keyClicks(editor, "Swan")
@@ -217,3 +221,61 @@ def test_the_last_curve_can_be_deleted(curves, document, selection, qtbot):
     document.undo()
     assert curves.list.currentIndex().row() == selection.curve == 0
     assert curves.list.visualRect(curves.model.index(0)).top() == QPoint(0, 0).y()
+
+
+@pytest.fixture
+def three(document, curves):
+    document.apply("Add curve", document.drawing.inserted(2, Item(some_curve(), "Third")))
+    return Hand(curves.list.viewport())
+
+
+def drag_row(hand, panel, row, y, let_go=True):
+    start = panel.list.visualRect(panel.model.index(row)).center()
+    hand.press(start.x(), start.y())
+    for step in (0.3, 0.6, 1.0):
+        hand.move(start.x(), start.y() + step * (y - start.y()))
+    if let_go:
+        hand.release()
+
+
+def test_a_row_is_dragged_to_another_place_in_one_step(curves, document, selection, three):
+    selection.select(curve=0, points={3})
+    steps = document.undo_stack.count()
+    before = curves.list.grab().toImage()
+    drag_row(three, curves, 0, 500, let_go=False)
+    assert curves.list.grab().toImage() != before
+    assert names(document) == ["Figure 10", "Ring", "Third"]
+    three.release()
+    assert names(document) == ["Ring", "Third", "Figure 10"]
+    assert (selection.curve, selection.points) == (2, {3})
+    assert curves.list.currentIndex().row() == 2
+    assert document.undo_stack.undoText() == "Reorder curves"
+    drag_row(three, curves, 2, curves.list.visualRect(curves.model.index(1)).top() + 3)
+    assert names(document) == ["Ring", "Figure 10", "Third"]
+    document.undo()
+    document.undo()
+    assert names(document) == ["Figure 10", "Ring", "Third"]
+    assert document.undo_stack.index() == steps
+
+
+def test_a_drag_that_ends_where_it_began_or_is_taken_back_changes_nothing(curves, document, three, qtbot):
+    value = document.drawing
+    drag_row(three, curves, 1, 40)
+    drag_row(three, curves, 0, 80, let_go=False)
+    qtbot.keyClick(curves.list, KEY.Key_Escape)
+    three.release()
+    assert document.drawing is value
+
+
+def test_curves_are_moved_up_and_down_and_stay_within_the_list(curves, document, selection, three):
+    said = []
+    curves.announce.connect(said.append)
+    selection.select(curve=1)
+    curves.reorder(1)
+    assert names(document) == ["Figure 10", "Third", "Ring"]
+    assert said[-1] == "“Ring” lies above “Third” now."
+    curves.reorder(1)
+    assert names(document) == ["Figure 10", "Third", "Ring"]
+    curves.reorder(-5)
+    assert names(document) == ["Ring", "Figure 10", "Third"]
+    assert selection.curve == 0

@@ -23,6 +23,7 @@ from theditor.app.command import plain
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
 
+ON_CANVAS, ON_LIST = "On the canvas", "In the list of curves"
 _COLUMNS = 3
 _MOUSE = (
     ("Drag a point", "Move the selected control points"),
@@ -45,7 +46,8 @@ class Shortcuts(QDialog):
         super().__init__(window)
         self.setWindowTitle("Keys and mouse")
         self.resize(960, 560)
-        self.groups = keys_by_menu(window) | {"On the canvas": list(_MOUSE)}
+        self.groups = keys_by_place(window)
+        self.groups[ON_CANVAS] = [*self.groups.get(ON_CANVAS, ()), *_MOUSE]
         sheet = QWidget()
         columns = QHBoxLayout(sheet)
         columns.setSpacing(32)
@@ -70,16 +72,16 @@ class Shortcuts(QDialog):
         layout.addWidget(buttons)
 
 
-def keys_by_menu(window: MainWindow) -> dict[str, list[tuple[str, str]]]:
-    """Keys and what they do, for every command that has one, by the title of its menu."""
+def keys_by_place(window: MainWindow) -> dict[str, list[tuple[str, str]]]:
+    """The key of each command that has one, and its text, by its menu or by where alone the key acts."""
     groups: dict[str, list[tuple[str, str]]] = {}
     for command in window.commands:
-        action = window.actions_by_name[command.name]
-        keys = [key.toString(QKeySequence.SequenceFormat.NativeText) for key in action.shortcuts()]
-        if keys:
-            where = " (on the canvas)" if command.on_canvas else " (in the list)" if command.on_list else ""
-            group = groups.setdefault(command.menu.partition("/")[0], [])
-            group.append((" or ".join(keys[:2]), plain(command.text) + where))
+        key = window.actions_by_name[command.name].shortcut()
+        if not key.isEmpty():
+            title = command.menu.partition("/")[0]
+            title = ON_CANVAS if command.on_canvas else ON_LIST if command.on_list else title
+            text = key.toString(QKeySequence.SequenceFormat.NativeText)
+            groups.setdefault(title, []).append((text, plain(command.text)))
     return groups
 
 
