@@ -89,6 +89,20 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             gap=gap,
         )
 
+    def tool(name: str, text: str, tip: str, keys: tuple[str, ...], brief: str) -> Command:
+        return Command(
+            f"tool_{name}",
+            "Tools",
+            text,
+            tip,
+            lambda on: canvas.use(name) if on else None,
+            keys,
+            on_canvas=True,
+            checked=name == "select",
+            choice="tool",
+            brief=brief,
+        )
+
     def theme(theme: Theme, text: str) -> Command:
         return Command(
             f"theme_{theme}",
@@ -162,6 +176,16 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             window.select_none,
             ("Ctrl+Shift+A",),
             has_selection,
+        ),
+        Command(
+            "invert",
+            "Edit",
+            "&Invert selection",
+            "Select just those control points of the current curve that are not selected",
+            window.invert_selection,
+            ("Ctrl+Shift+I",),
+            can_edit,
+            places=("point",),
         ),
         Command(
             "add",
@@ -276,6 +300,20 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             gap=True,
         ),
         *map(insert, KNOWN, _with_mnemonics([known.name for known in KNOWN])),
+        tool("select", "&Select and move", "Select, move and shape with the mouse", ("S", "N"), "Select"),
+        tool("pen", "&Pen", "Draw a curve by its control points, one click each", ("B",), "Pen"),
+        Command(
+            "snap",
+            "Tools",
+            "S&nap",
+            "Draw points that are moved or placed to control points, joints, curves and the grid; Shift suspends it",
+            canvas.set_snapping,
+            ("%",),
+            on_canvas=True,
+            checked=False,
+            brief="Snap",
+            gap=True,
+        ),
         Command(
             "fit",
             "View",

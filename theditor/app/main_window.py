@@ -132,7 +132,9 @@ class MainWindow(QMainWindow):
         for linked in (self.basis, self.curvature, self.continuity):
             linked.hovered.connect(self.canvas.show_place)
         self.curvature.comb_changed.connect(self._show_comb)
-        for panel in (self.curves, self.curve, self.shape, self.segments, self.strip, self.points):
+        self.canvas.tool_changed.connect(lambda name: self.actions_by_name[f"tool_{name}"].setChecked(True))
+        panels = (self.curves, self.curve, self.shape, self.segments, self.strip, self.points)
+        for panel in (self.canvas, *panels):
             panel.announce.connect(self.announce)
 
     def _follow(self) -> None:
@@ -226,6 +228,13 @@ class MainWindow(QMainWindow):
     def select_none(self) -> None:
         """Select no point and no segment."""
         self.selection.select(points=(), segments=())
+
+    def invert_selection(self) -> None:
+        """Select just those control points of the current curve that are not selected."""
+        item = self.selection.item
+        if item is not None:
+            every = frozenset(range(len(item.curve.control_points)))
+            self.selection.select(points=every - self.selection.points, segments=())
 
     def add_curve(self) -> None:
         """Add a clamped cubic in the middle of the view, to be dragged into shape, and make it current."""

@@ -42,13 +42,13 @@ def _menu(window: MainWindow, menus: dict[str, QMenu], path: str) -> QMenu:
 
 
 def _toolbar(buttons: list[tuple[Command, QAction]]) -> QToolBar:
-    """A button for each command with a brief text, in groups by what their names begin with."""
+    """A button for each command with a brief text, tools first, in groups by what their names begin with."""
     toolbar = QToolBar("Toolbar")
     toolbar.setObjectName("toolbar")
     toolbar.setMovable(False)
     toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
     group = ""
-    for command, action in buttons:
+    for command, action in sorted(buttons, key=lambda button: button[0].choice != "tool"):
         part = command.name.split("_")[0]
         if group and part != group and not {part, group} <= {"undo", "redo"}:
             toolbar.addSeparator()

@@ -94,6 +94,10 @@ class Canvas(PlaneView):
         self._hover()
         self.viewport().update()
 
+    def set_snapping(self, on: bool) -> None:
+        """Draw points that are moved or placed to what lies near."""
+        self.snapper.on = on
+
     def event(self, event: QEvent) -> bool:
         """Keep the keys that mean something to the tool from the commands."""
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
