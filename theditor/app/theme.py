@@ -174,6 +174,7 @@ QHeaderView::section {
     background: $panel; color: $secondary; border: none; border-bottom: 1px solid $border; padding: 4px 7px;
 }
 QHeaderView::section:vertical { border: none; }
+QTableCornerButton::section { background: $panel; border: none; border-bottom: 1px solid $border; }
 QTabBar { background: $panel; qproperty-drawBase: 0; }
 QTabBar::tab {
     background: $panel; color: $secondary; padding: 8px 12px; border: none; border-bottom: 2px solid $border;

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QLineEdit,
     QStyledItemDelegate,
+    QStyleOptionHeader,
     QStyleOptionViewItem,
     QTableView,
     QVBoxLayout,
@@ -62,13 +63,14 @@ class PointsView(QTableView):
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         triggers = QAbstractItemView.EditTrigger
         self.setEditTriggers(triggers.DoubleClicked | triggers.EditKeyPressed | triggers.AnyKeyPressed)
+        self.setHorizontalHeader(_Titles(Qt.Orientation.Horizontal, self))
         rows, columns = self.verticalHeader(), self.horizontalHeader()
         rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         rows.setDefaultSectionSize(_ROW_HEIGHT)
         rows.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         columns.setDefaultSectionSize(_WIDTH)
         columns.setStretchLastSection(True)
-        columns.setHighlightSections(False)
+        columns.setSectionsClickable(True)
         describe(self, "Control points", _TIP)
 
     def event(self, event: QEvent) -> bool:
@@ -118,6 +120,19 @@ class PointsView(QTableView):
 
 def _is_ours(event: QKeyEvent) -> bool:
     return event.matches(_COPY) or event.matches(_PASTE)
+
+
+class _Titles(QHeaderView):
+    """Titles of columns that look alike whatever is selected.
+
+    To find out whether a whole column is selected Qt would ask the model about every row, at each painting.
+    """
+
+    def initStyleOptionForIndex(self, option: QStyleOptionHeader, section: int) -> None:
+        option.section = section
+        option.text = str(self.model().headerData(section, self.orientation()))
+        role = Qt.ItemDataRole.TextAlignmentRole
+        option.textAlignment = self.model().headerData(section, self.orientation(), role)
 
 
 class PointsPanel(QWidget):
