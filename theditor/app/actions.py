@@ -12,6 +12,7 @@ from PySide6.QtGui import QKeySequence
 from theditor.app.command import Command, can_edit, has_curve
 from theditor.app.lambda_dialogs import LambdaDialog, formula_dialog, gradient_dialog, smooth_dialog
 from theditor.app.theme import Theme, choose_theme, chosen_theme
+from theditor.app.view import zoom_to_selection
 from theditor.spline import KNOWN, Known, Mode
 
 if TYPE_CHECKING:
@@ -324,6 +325,17 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             on_canvas=True,
             brief="Fit",
             places=("ground",),
+        ),
+        Command(
+            "zoom_selection",
+            "View",
+            "Zoom to &selection",
+            "Show the selected points and segments as large as they go; the current curve if there are none",
+            lambda: zoom_to_selection(canvas, window.selection),
+            ("3",),
+            has_curve,
+            on_canvas=True,
+            places=("point", "segment", "curve"),
         ),
         Command(
             "zoom_in",

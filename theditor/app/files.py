@@ -12,6 +12,7 @@ from theditor.app.gallery_dialog import GalleryDialog
 from theditor.app.problems import log
 from theditor.app.recent import recent_files, remember_file
 from theditor.app.tour import lead
+from theditor.app.view import keep_view, show_kept_view
 from theditor.drawing import Drawing, DrawingError, load
 from theditor.resources import gallery
 
@@ -28,6 +29,7 @@ class Files:
     def new(self) -> None:
         """Start an empty drawing, once the old one may go."""
         if self.may_discard():
+            self.keep_view()
             self._window.document.start(Drawing())
             self._window.canvas.fit()
 
@@ -41,6 +43,7 @@ class Files:
 
     def open_path(self, path: Path) -> bool:
         """Open a file; if it cannot be read, say why and keep the drawing."""
+        self.keep_view()
         try:
             self._window.document.open(path)
         except DrawingError as error:
@@ -48,7 +51,7 @@ class Files:
             return False
         remember_file(path)
         self._window.messages.hide()
-        self._window.canvas.fit()
+        show_kept_view(path, self._window.canvas)
         return True
 
     def open_gallery(self) -> None:
@@ -60,6 +63,7 @@ class Files:
 
     def open_picture(self, name: str) -> None:
         """Open a copy of a gallery picture; saving it asks for a file."""
+        self.keep_view()
         picture = next(picture for picture in gallery() if picture.name == name)
         self._window.document.start(load(picture.path), picture.title.split(" · ")[0])
         self._window.messages.hide()
@@ -87,6 +91,10 @@ class Files:
             return True
         answer, button = ask.whether_to_save(self._window, document.title), QMessageBox.StandardButton
         return answer == button.Discard or (answer == button.Save and self.save())
+
+    def keep_view(self) -> None:
+        """Remember how the file is looked at, before the drawing goes."""
+        keep_view(self._window.document.path, self._window.canvas)
 
     def list_recent(self, menu: QMenu) -> None:
         """Fill a menu with the files used last."""

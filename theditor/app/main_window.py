@@ -295,6 +295,7 @@ class MainWindow(QMainWindow):
         if not self.may_discard():
             event.ignore()
             return
+        self.files.keep_view()
         settings = QSettings()
         settings.setValue("geometry", self.saveGeometry())
         settings.setValue("layout", self.saveState())

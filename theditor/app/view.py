@@ -1,0 +1,72 @@
+"""Views of the drawing: what is selected, and where each file was looked at last."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QSettings
+
+from theditor.canvas import Canvas
+from theditor.canvas.projection import projected
+from theditor.model import Selection
+
+MOST = 100
+"""How many files are remembered."""
+SHARE = 0.7
+"""Share of the canvas that a selection is to fill."""
+_SAMPLES = 16
+
+
+def zoom_to_selection(canvas: Canvas, selection: Selection) -> None:
+    """Show the selected control points and segments as large as they go; the current curve if there are none.
+
+    A single point comes to the middle, at the same scale.
+    """
+    if selection.item is None:
+        return
+    curve = projected(selection.item.curve)
+    shown = [curve.control_points[sorted(selection.points)]]
+    if selection.segments:
+        t = np.linspace(0.0, 1.0, _SAMPLES)
+        shown.append(curve((np.array(sorted(selection.segments))[:, None] + t).ravel()))
+    elif not selection.points:
+        shown += [curve.control_points, curve.sample(_SAMPLES)]
+    points = np.concatenate(shown)
+    low, high = points.min(axis=0), points.max(axis=0)
+    plane, size = canvas.plane, high - low
+    room = SHARE * np.array([plane.width, plane.height])
+    scales = room[size > 0] / size[size > 0]
+    x, y = ((low + high) / 2).tolist()
+    canvas.show_view(x, y, float(scales.min()) if scales.size else plane.scale)
+
+
+def keep_view(path: Path | None, canvas: Canvas) -> None:
+    """Keep for the next time how a file is looked at; a fitted view will be fitted again."""
+    if path is None:
+        return
+    views, name, plane = _views(), str(path.absolute()), canvas.plane
+    views.pop(name, None)
+    if not canvas.fitted:
+        views[name] = [plane.x, plane.y, plane.scale]
+    QSettings().setValue("views", json.dumps(dict(list(views.items())[-MOST:])))
+
+
+def show_kept_view(path: Path, canvas: Canvas) -> None:
+    """Look at a file as it was looked at last, else at all of it."""
+    match _views().get(str(path.absolute())):
+        case [float(x), float(y), float(scale)] if scale > 0 and all(map(math.isfinite, (x, y, scale))):
+            canvas.show_view(x, y, scale)
+        case _:
+            canvas.fit()
+
+
+def _views() -> dict[str, object]:
+    """Middle and scale of the view of each file, that of the latest last."""
+    try:
+        views = json.loads(str(QSettings().value("views", "{}")))
+    except ValueError:
+        return {}
+    return views if isinstance(views, dict) else {}
