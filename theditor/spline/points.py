@@ -9,6 +9,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from theditor.spline.basis import Floats
 from theditor.spline.checks import check_count, clean_indices
 from theditor.spline.curve import Curve
 from theditor.spline.deviation import deviation
@@ -118,10 +119,19 @@ def remove(curve: Curve, indices: ArrayLike, refit: bool = True) -> Edited:
             result = _without(result, run)
     else:
         result = curve.with_(control_points=curve.control_points[stay], lambdas=curve.lambdas[stay])
+    return Edited(result, deviation(curve, result, *_matched(curve, where, stay)))
+
+
+def _matched(curve: Curve, where: Indices, stay: Indices) -> tuple[Floats, Floats]:
+    """Return parameters before and after points went, around where they were; see `deviation`."""
+    reach = _AROUND + curve.degree
+    low, high = int(where[0]) - reach - curve.first_segment, int(where[-1]) + reach - curve.first_segment
+    count, fewer = curve.segment_count, len(where)
+    if low < 0 or high > count:
+        low, high = (0, count) if curve.closed else (max(low, 0), min(high, count))
     u, v = stay - curve.first_segment, np.arange(len(stay)) - curve.first_segment
-    inner = (u > 0) & (u < curve.segment_count) & (v > 0) & (v < result.segment_count)
-    u, v = (np.array([0, *x[inner], c.segment_count]) for x, c in ((u, curve), (v, result)))
-    return Edited(result, deviation(curve, result, u, v))
+    inner = (u > low) & (u < high) & (v > low) & (v < high - fewer)
+    return np.array([low, *u[inner], high]), np.array([low, *v[inner], high - fewer])
 
 
 def _runs(where: Indices, stay: Indices) -> list[Indices]:
