@@ -58,7 +58,7 @@ def scattered(draw):
 
 
 def agree(found, expected, reach):
-    """Whether each of the one is near one of the other, as many of each."""
+    """Each of the one is near one of the other, as many of each."""
     assert len(found) == len(expected)
     if len(found):
         apart = np.abs(found[:, None] - expected[None]).max(axis=2)
@@ -66,28 +66,42 @@ def agree(found, expected, reach):
         assert apart.min(axis=1).max() < reach
 
 
-@settings(max_examples=60)
+def seen_by_chords(found, loops=np.inf):
+    """Crossings without those that chords cut off: pairs where curves barely overlap, and small loops."""
+    apart = np.abs(found[:, None] - found[None]).max(axis=2) + np.eye(len(found))
+    return found[(apart.min(axis=1, initial=1) > 0.03) & (loops > 0.03)]
+
+
+def loops(found, curve):
+    """How long the loops between crossings are, the shorter way round, in u."""
+    span = found[:, 1] - found[:, 0]
+    return np.minimum(span, curve.segment_count - span) if curve.closed else span
+
+
+@settings(max_examples=40)
 @given(scattered())
 def test_a_curve_crosses_itself_where_its_samples_polygon_does(curve):
     n = 200
     found = self_intersections(curve)
-    agree(found, chord_crossings(*2 * [curve.sample(n)], True, curve.closed) / n, 0.05)
+    expected = chord_crossings(*2 * [curve.sample(n)], True, curve.closed) / n
+    agree(*(seen_by_chords(c, loops(c, curve)) for c in (found, expected)), 0.01)
     assert (found[:, 0] < found[:, 1]).all()
     np.testing.assert_allclose(curve(found[:, 0]), curve(found[:, 1]), atol=1e-12 * 20)
 
 
-@settings(max_examples=60)
+@settings(max_examples=40)
 @given(scattered(), scattered())
 def test_two_curves_cross_where_their_samples_polygons_do(a, b):
     assume(a.control_points[0, 0] != b.control_points[0, 0])  # else they may run along each other
     n = 200
     found = intersections(a, b)
-    agree(found, chord_crossings(a.sample(n), b.sample(n)) / n, 0.05)
+    expected = chord_crossings(a.sample(n), b.sample(n)) / n
+    agree(seen_by_chords(found), seen_by_chords(expected), 0.01)
     np.testing.assert_allclose(a(found[:, 0]), b(found[:, 1]), atol=1e-12 * 20)
     agree(intersections(b, a)[:, ::-1], found, 1e-9)
 
 
-@settings(max_examples=30)
+@settings(max_examples=20)
 @given(scattered(), st.floats(0.1, 100), st.floats(-50, 50))
 def test_crossings_move_with_the_curve(curve, factor, shift):
     moved = curve.with_(control_points=curve.control_points @ TURN * factor + shift)
@@ -116,8 +130,7 @@ def test_joints_seams_and_cusps_are_no_crossings():
 
 
 def test_beyond_its_cusps_a_trochoid_makes_loops():
-    loops = known.trochoid(radius=1, arm=2, quarters=12)
-    found = self_intersections(loops)
+    found = self_intersections(known.trochoid(radius=1, arm=2, quarters=12))
     np.testing.assert_allclose(found.sum(axis=1), 2 * np.round(found.sum(axis=1) / 2), atol=1e-12)
     assert len(self_intersections(known.trochoid(radius=1, arm=0.99, quarters=12))) == 0
     assert len(found) >= 2

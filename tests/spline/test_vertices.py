@@ -16,6 +16,16 @@ from theditor.spline import (
 ZIGZAG = [(0, 0), (1, 2), (3, -1), (4, 1), (6, 0)]
 
 
+def of_one_size(curve):
+    """Whether no part is so much smaller than the curve that dense samples see its rounding only."""
+    sizes = np.abs(curve.control_points[curve.control_points != 0])
+    return bool(sizes.min(initial=1) > 1e-4)
+
+
+plane_curves = curves().filter(lambda curve: curve.dimension == 2 and of_one_size(curve))
+mild_curves = curves(low=-2, high=9).filter(of_one_size)
+
+
 def dense(curve, per_segment=200):
     """Parameters inside all segments, and κ there, a row for each segment."""
     t = (np.arange(per_segment) + 0.5) / per_segment
@@ -29,7 +39,7 @@ def clear(curve, kappa):
     return np.where(np.isfinite(kappa) & (np.abs(kappa) * size > 1e-6), kappa, np.nan)
 
 
-@given(curves(dims=(2,)).filter(lambda c: c.dimension == 2))
+@given(plane_curves)
 def test_every_change_of_sign_among_dense_samples_has_its_inflections(curve):
     u, kappa = dense(curve)
     u, kappa = u.ravel(), clear(curve, kappa).ravel()
@@ -41,7 +51,7 @@ def test_every_change_of_sign_among_dense_samples_has_its_inflections(curve):
     np.testing.assert_array_equal(between[seen] % 2 == 1, changed[seen])
 
 
-@given(curves().filter(lambda c: c.dimension == 2))
+@given(plane_curves)
 def test_on_the_two_sides_of_an_inflection_the_curve_turns_two_ways(curve):
     found = inflections(curve)
     for u in found.u:
@@ -104,7 +114,7 @@ def test_an_ellipse_has_four_vertices_and_a_circle_none(a, b, start, degree):
     np.testing.assert_allclose(found.curvature, np.where(found.maximum, sharp, flat), rtol=1e-8)
 
 
-@given(curves(low=-2, high=9))
+@given(mild_curves)
 def test_every_peak_and_dip_among_dense_samples_is_an_extreme(curve):
     u, kappa = dense(curve)
     speed = np.linalg.norm(curve(u, 1), axis=-1)
@@ -121,7 +131,7 @@ def test_every_peak_and_dip_among_dense_samples_is_an_extreme(curve):
             assert np.abs(found.u[found.maximum == peak] - place).min(initial=1) < 0.006
 
 
-@given(curves(low=-2, high=9))
+@given(mild_curves)
 def test_an_extreme_between_joints_is_one_among_its_neighbours(curve):
     found = curvature_extremes(curve)
     assert (np.diff(found.u) >= 0).all()

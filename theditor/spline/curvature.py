@@ -41,13 +41,15 @@ def curvature(curve: Curve, u: ArrayLike, side: Side = "right") -> Floats:
     ValueError
         If a parameter lies outside the domain or `side` is neither.
     """
-    velocity = curve(u, 1, side)
-    turn = cross(np.moveaxis(velocity, -1, 0), np.moveaxis(curve(u, 2, side), -1, 0))
-    if curve.dimension == 3:
-        turn = np.linalg.norm(turn, axis=0)
+    velocity, bend = curve(u, 1, side), curve(u, 2, side)
     speed = np.linalg.norm(velocity, axis=-1)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        return np.where(stands_still(curve, u, side), np.nan, turn / speed / speed / speed)
+        # Divided first, since a product of lengths may be too small to be a number.
+        direction, change = (np.moveaxis(vector, -1, 0) / speed for vector in (velocity, bend))
+        turn = cross(direction, change)
+        if curve.dimension == 3:
+            turn = np.linalg.norm(turn, axis=0)
+        return np.where(stands_still(curve, u, side), np.nan, turn / speed)
 
 
 def stands_still(curve: Curve, u: ArrayLike, side: Side = "right") -> NDArray[np.bool_]:

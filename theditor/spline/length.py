@@ -93,7 +93,8 @@ def parameter_at(curve: Curve, length: ArrayLike, accuracy: float = 1e-9) -> Flo
     own = accuracy / 4  # of each integral, so that their errors and the search's together keep within
     whole = arc_lengths(curve, accuracy=own)
     lengths = np.asarray(length, dtype=np.float64)
-    outside = ~((lengths >= 0) & (lengths <= whole[-1] * (1 + accuracy)))
+    # A whole length measured elsewhere, as exactly as this, must not be too long.
+    outside = ~((lengths >= 0) & (lengths <= whole[-1] * (1 + 4 * accuracy)))
     if outside.any():
         wrong = float(lengths[outside].flat[0])
         raise ValueError(f"length {wrong} lies outside the curve, which is {float(whole[-1])} long")
