@@ -189,6 +189,15 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             places=("point",),
         ),
         Command(
+            "preferences",
+            "Edit",
+            "&Preferences…",
+            "Theme, nudge step and the degree of new curves",
+            window.show_preferences,
+            (_Standard.Preferences, "Ctrl+,"),
+            gap=True,
+        ),
+        Command(
             "add",
             "Curve",
             "&Add curve",

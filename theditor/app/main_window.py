@@ -25,6 +25,7 @@ from theditor.app.insert_dialog import InsertDialog
 from theditor.app.lambda_dialogs import LambdaDialog
 from theditor.app.menus import build_menus
 from theditor.app.palette import Palette
+from theditor.app.preferences import Preferences
 from theditor.app.problems import MessageBar
 from theditor.app.shortcuts import Shortcuts
 from theditor.app.tour import GuideBar
@@ -45,6 +46,8 @@ from theditor.resources import version
 from theditor.spline import MAX_COORDINATE, Curve, Known, Mode
 
 COLUMN_WIDTH = 400
+STAYS, LEAST_READ = 8000, 2000
+"""How long an announcement stays, and how long at least whatever the pointer finds, in milliseconds."""
 
 
 class MainWindow(QMainWindow):
@@ -118,7 +121,7 @@ class MainWindow(QMainWindow):
         bar = self.statusBar()
         bar.setSizeGripEnabled(False)
         self._position, self._over, self._zoom, self._hint = (QLabel() for _ in range(4))
-        self._announced = QTimer(self, singleShot=True, interval=8000)
+        self._announced = QTimer(self, singleShot=True, interval=STAYS)
         self._announced.timeout.connect(lambda: self._over.setText(""))
         self._position.setProperty("role", "strong")
         self._position.setMinimumWidth(150)
@@ -169,7 +172,7 @@ class MainWindow(QMainWindow):
             self.actions_by_name[command.name].setEnabled(command.enabled(self))
 
     def announce(self, text: str) -> None:
-        """Say something in the status line, until the pointer finds something else to say or some seconds pass."""
+        """Say something in the status line, until some seconds pass or, once it is read, the pointer finds something."""
         self._over.setText(text)
         self._announced.start()
 
@@ -183,7 +186,8 @@ class MainWindow(QMainWindow):
         digits = 3 if pointed.scale < 1e4 else 6
         words = "" if position is None else f"x {position[0]:.{digits}f}   y {position[1]:.{digits}f}"
         self._position.setText(words.replace("-", "−"))
-        if pointed.over or not self._announced.isActive():
+        unread = self._announced.remainingTime() > STAYS - LEAST_READ
+        if (pointed.over and not unread) or not self._announced.isActive():
             self._announced.stop()
             self._over.setText(pointed.over)
         self._hint.setText(pointed.hint)
@@ -270,6 +274,10 @@ class MainWindow(QMainWindow):
     def find_command(self) -> None:
         """Let the user find a command by words and run it."""
         Palette(self.menuBar(), self).open()
+
+    def show_preferences(self) -> None:
+        """Let the user choose theme, nudge step and degree."""
+        Preferences(self).open()
 
     def show_shortcuts(self) -> None:
         """Show what the keys and the mouse do."""
