@@ -22,6 +22,7 @@ from theditor.spline.guards import Guards, ReversedJoint, hull, negative_basis, 
 from theditor.spline.kinds import Kind
 from theditor.spline.lambdas import gradient, shifted, smoothed
 from theditor.spline.length import arc_length, arc_lengths, parameter_at
+from theditor.spline.pieces import Split, closed, join, opened, split, with_free_ends
 from theditor.spline.points import Edited, insert, insert_on_edge, remove
 from theditor.spline.reach import Reach, Track, joint_track, middle_track, reach
 from theditor.spline.recognise import Missing, Recognised, missing, recognise, recognise_segments
@@ -64,12 +65,14 @@ __all__ = [
     "Recognised",
     "ReversedJoint",
     "Samples",
+    "Split",
     "Track",
     "arc_length",
     "arc_lengths",
     "basis",
     "bending_energy",
     "changed_segments",
+    "closed",
     "continuity",
     "curvature",
     "curvature_extremes",
@@ -83,6 +86,7 @@ __all__ = [
     "insert_on_edge",
     "intersections",
     "intervals_for",
+    "join",
     "joint_track",
     "known",
     "lambda_of",
@@ -91,6 +95,7 @@ __all__ = [
     "mode_of",
     "nearest",
     "negative_basis",
+    "opened",
     "osculating_circle",
     "parameter_at",
     "pull",
@@ -105,5 +110,7 @@ __all__ = [
     "self_intersections",
     "shifted",
     "smoothed",
+    "split",
     "uniform_b_spline_samples",
+    "with_free_ends",
 ]
