@@ -45,17 +45,17 @@ class Shortcuts(QDialog):
     def __init__(self, window: MainWindow) -> None:
         super().__init__(window)
         self.setWindowTitle("Keys and mouse")
-        self.resize(960, 560)
+        self.resize(1000, 620)
         self.groups = keys_by_place(window)
-        self.groups[ON_CANVAS] = [*self.groups.get(ON_CANVAS, ()), *_MOUSE]
+        self.groups["With the mouse"] = list(_MOUSE)
         sheet = QWidget()
         columns = QHBoxLayout(sheet)
         columns.setSpacing(32)
         stacks = [QVBoxLayout() for _ in range(_COLUMNS)]
         heights = [0] * _COLUMNS
-        for title, rows in self.groups.items():
+        for title, rows in sorted(self.groups.items(), key=lambda group: -len(group[1])):
             shortest = heights.index(min(heights))
-            stacks[shortest].addWidget(_group(title, rows))
+            stacks[shortest].addWidget(_group(title, rows), 0, Qt.AlignmentFlag.AlignTop)
             heights[shortest] += len(rows) + 2
         for stack in stacks:
             stack.addStretch(1)
