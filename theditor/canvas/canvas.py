@@ -26,7 +26,7 @@ from theditor.canvas.tool import Bench, Keys, Tool
 from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pan, Pointer
 from theditor.canvas.view import PlaneView
 from theditor.canvas.viewport import Floats
-from theditor.canvas.words import Pointed, describe, hint
+from theditor.canvas.words import Pointed, describe, hint, warning
 from theditor.drawing import Drawing
 from theditor.model import Document, Selection, colours_for, unbreakable
 from theditor.spline import CONVEX_HULL_RANGE, PULL_BOUNDS
@@ -199,6 +199,7 @@ class Canvas(PlaneView):
         self.viewport().update()
 
     def _selection_changed(self) -> None:
+        self._tell()
         self.viewport().update()
 
     def changeEvent(self, event: QEvent) -> None:
@@ -260,7 +261,8 @@ class Canvas(PlaneView):
         hit = self._valid_hit()
         over = describe(hit, drawing, current)
         u = parameter_of(hit, current, drawing[current].curve) if current >= 0 else None
-        self.pointed.emit(Pointed(position, over, self._tool.hint or hint(hit, self._drag), plane.scale, u))
+        told = self._tool.hint or (self._drag is None and warning(self._selection)) or hint(hit, self._drag)
+        self.pointed.emit(Pointed(position, over, told, plane.scale, u))
 
     def _pointer_of(self, event: QMouseEvent) -> Pointer:
         position, held = event.position(), event.modifiers()

@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtCore import Qt
 
-from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit
+from theditor.canvas import points
+from theditor.canvas.hit_test import REACH, Hit, JointHit, MiddleHit, PointHit, SegmentHit, parameter_of
 from theditor.canvas.nudge import ARROWS, nudge
 from theditor.canvas.picking import Key, key_of, pick
+from theditor.canvas.projection import projected
 from theditor.canvas.shaping import PullCurve, SlideJoint
 from theditor.canvas.snapping import Snapped
 from theditor.canvas.tool import Bench, Keys
@@ -71,7 +73,28 @@ class SelectTool:
         if self._made_current and selection.item is not None:
             selection.select(points=range(len(selection.item.curve.control_points)), segments=())
             return Still()
+        if self._inserts(pointer):
+            return Still()
         return self.press(pointer, double=False)
+
+    def _inserts(self, pointer: Pointer) -> bool:
+        """Insert a control point on the current curve or, with Ctrl, on an edge of its polygon."""
+        bench, current = self._bench, self._bench.selection.curve
+        hit = self.hover(pointer)
+        item = bench.selection.item
+        if item is None or item.locked or not item.visible or isinstance(hit, PointHit):
+            return False
+        if pointer.ctrl:
+            edge = points.near_edge(pointer.plane.to_pixels(projected(item.curve).polygon), pointer.at, REACH)
+            if edge is None:
+                return False
+            bench.say(points.insert_on_edge(bench.document, bench.selection, *edge))
+            return True
+        u = parameter_of(hit, current, item.curve)
+        if u is None:
+            return False
+        bench.say(points.insert_at(bench.document, bench.selection, u))
+        return True
 
     def click(self, drag: Drag, pointer: Pointer) -> None:
         """Choose what was pressed or, if the last click here chose just that, what lies beneath."""

@@ -7,10 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit
+from theditor.canvas.points import takes_the_curve
 from theditor.canvas.projection import projected
 from theditor.canvas.shaping import PullCurve, SlideJoint
 from theditor.canvas.tools import Drag, MovePoints
 from theditor.drawing import Drawing
+from theditor.model import Selection
 from theditor.model.words import indexed
 from theditor.spline.curvature import curvature
 
@@ -61,5 +63,13 @@ def hint(hit: Hit, drag: Drag | None) -> str:
     if isinstance(hit, JointHit | MiddleHit):
         return "Drag: slide along the track · Click: select"
     if isinstance(hit, SegmentHit):
-        return "Drag: pull the curve by its λ · Click: select the segment"
+        return "Drag: pull the curve by its λ · Click: select the segment · Double-click: insert a point"
     return "Drag: select · Wheel: zoom · Middle or Space drag: pan · F: fit"
+
+
+def warning(selection: Selection) -> str:
+    """What Delete would do to the selected points if that is more than it seems."""
+    item, count = selection.item, len(selection.points)
+    if item is None or not count or item.locked or not takes_the_curve(item.curve, count):
+        return ""
+    return "Delete: the whole curve, for too few control points would stay"

@@ -1,0 +1,121 @@
+"""Control points more and fewer: each edit of the current curve is one undo step and one sentence."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from theditor.canvas.viewport import Floats
+from theditor.model import Document, Selection
+from theditor.model.words import counted, indexed, number, symbols
+from theditor.spline import Curve, fewest_points
+from theditor.spline import points as edits
+
+
+def insert_at(document: Document, selection: Selection, u: float) -> str:
+    """Insert a control point where the current curve's parameter is `u`; returns what happened."""
+    return _insert(document, selection, [u])
+
+
+def insert(document: Document, selection: Selection) -> str:
+    """Insert control points into the selected segments, else between or after the selected points."""
+    item = selection.item
+    assert item is not None, "there is a selection"
+    if selection.segments:
+        return _insert(document, selection, [s + 0.5 for s in selection.segments])
+    return _insert(
+        document, selection, [_middle(item.curve, e) for e in _edges(item.curve, selection.points)]
+    )
+
+
+def _insert(document: Document, selection: Selection, places: list[float]) -> str:
+    """Insert from the last place to the first, so that those to come stay where they are."""
+    item = selection.item
+    assert item is not None, "what is edited is there"
+    curve, change = item.curve, 0.0
+    new: list[int] = []
+    for u in sorted(places, reverse=True):
+        at = _edge_at(curve, u) + 1
+        curve, deviation = edits.insert(curve, u)
+        change += deviation
+        new = [at, *(i + 1 for i in new)]
+    text = "Insert control point" if len(new) == 1 else f"Insert {len(new)} control points"
+    document.apply_curve(text, selection.curve, curve)
+    selection.select(points=new, segments=())
+    return f"Inserted {symbols('P', sorted(new))}; {changed(change, curve)}"
+
+
+def insert_on_edge(document: Document, selection: Selection, edge: int, fraction: float) -> str:
+    """Insert a control point on an edge of the current curve's polygon; all others stay."""
+    item = selection.item
+    assert item is not None, "the polygon is the current curve's"
+    curve, deviation = edits.insert_on_edge(item.curve, edge, fraction)
+    document.apply_curve("Insert control point", selection.curve, curve)
+    selection.select(points={edge + 1}, segments=())
+    return f"Inserted {indexed('P', edge + 1)} on the polygon; {changed(deviation, curve)}"
+
+
+def remove(document: Document, selection: Selection, *, refit: bool) -> str:
+    """Remove the selected control points, or the whole curve if too few would stay."""
+    item, chosen = selection.item, sorted(selection.points)
+    assert item is not None, "there is a selection"
+    if takes_the_curve(item.curve, len(chosen)):
+        document.apply("Delete curve", document.drawing.without(selection.curve))
+        return f"Deleted “{item.name}”: too few control points would have stayed"
+    curve, deviation = edits.remove(item.curve, chosen, refit)
+    text = "Delete control point" if len(chosen) == 1 else f"Delete {len(chosen)} control points"
+    document.apply_curve(text, selection.curve, curve)
+    selection.select(points=(), segments=())
+    return f"Deleted {counted(len(chosen), 'control point')}; {changed(deviation, curve)}"
+
+
+def takes_the_curve(curve: Curve, count: int) -> bool:
+    """Whether a curve without `count` of its control points would be none."""
+    return len(curve.control_points) - count < fewest_points(curve.degree, curve.closed, curve.ends)
+
+
+def changed(deviation: float, curve: Curve) -> str:
+    """Say how far a shape is from what it was."""
+    size = float(np.ptp(curve.control_points, axis=0).max())
+    if deviation <= 1e-9 * size:
+        return "the shape is the same"
+    return f"the shape changed by at most {number(_rounded_up(deviation))}"
+
+
+def _rounded_up(value: float) -> float:
+    """Two significant digits, never less than the value."""
+    unit = 10.0 ** (math.floor(math.log10(value)) - 1)
+    return math.ceil(value / unit - 1e-9) * unit
+
+
+def near_edge(polygon: Floats, at: Floats, reach: float) -> tuple[int, float] | None:
+    """The edge of a polygon (n, 2) nearest to `at` (2,), and how far along it; None beyond `reach`."""
+    start, along = polygon[:-1], np.diff(polygon, axis=0)
+    squares = (along**2).sum(axis=1)
+    f = (((at - start) * along).sum(axis=1) / np.where(squares > 0, squares, 1.0)).clip(0.0, 1.0)
+    distances = np.hypot(*(start + f[:, None] * along - at).T)
+    edge = int(np.argmin(distances))
+    return (edge, float(f[edge])) if distances[edge] <= reach else None
+
+
+def _edge_at(curve: Curve, u: float) -> int:
+    """The polygon's edge, by its first point, on which a point inserted at `u` goes."""
+    edge = math.floor(u + curve.first_segment - (0.5 if curve.degree == 2 else 0.0))
+    count = len(curve.control_points)
+    return edge % count if curve.closed else min(max(edge, 0), count - 2)
+
+
+def _middle(curve: Curve, edge: int) -> float:
+    """The parameter at the middle of the curve's part that belongs to an edge."""
+    u = edge - curve.first_segment + (1.0 if curve.degree == 2 else 0.5)
+    count = curve.segment_count
+    return u % count if curve.closed else min(max(u, 0.0), float(count))
+
+
+def _edges(curve: Curve, points: frozenset[int]) -> list[int]:
+    """The edges between neighbouring points of some; if there are none, those after (or before) each."""
+    count = len(curve.control_points)
+    last = count if curve.closed else count - 1
+    between = [i for i in points if i < last and (i + 1) % count in points]
+    return between or sorted({min(i, last - 1) for i in points})
