@@ -67,3 +67,31 @@ def test_stepping_says_where_the_point_is(window, qtbot):
     window.canvas.setFocus()
     qtbot.keyClick(window.canvas, Key.Key_Tab)
     assert window.announced.startswith("P₀ at (")
+
+
+def test_insert_and_delete_act_on_what_is_selected_and_say_how_well(window, qtbot):
+    canvas, before = window.canvas, window.document.drawing
+    count = len(before[0].curve.control_points)
+    canvas.setFocus()
+    window.selection.select(segments={4})
+    qtbot.keyClick(canvas, Key.Key_Insert)
+    assert len(window.document.drawing[0].curve.control_points) == count + 1
+    assert window.announced.startswith("Inserted P")
+    assert "the shape changed by at most" in window.announced
+    qtbot.keyClick(canvas, Key.Key_Delete)
+    assert len(window.document.drawing[0].curve.control_points) == count
+    assert window.announced.startswith("Deleted 1 control point; the shape changed by at most")
+    assert action(window, "undo").text() == "&Undo Delete control point"
+    inner = window.document.drawing[0].curve
+    window.selection.select(points={5})
+    qtbot.keyClick(canvas, Key.Key_Delete, Qt.KeyboardModifier.ControlModifier)
+    left = window.document.drawing[0].curve
+    assert left.control_points.tolist() == np.delete(inner.control_points, 5, axis=0).tolist()
+    window.selection.select(points=range(3, count))
+    assert window._hint.text().startswith("Delete: the whole curve")
+    qtbot.keyClick(canvas, Key.Key_Delete)
+    assert len(window.document.drawing) == len(before) - 1
+    for _ in range(4):
+        qtbot.keyClick(window, Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert window.document.drawing == before
+    assert not action(window, "delete_points").isEnabled() or window.selection.points

@@ -11,6 +11,7 @@ from PySide6.QtGui import QKeySequence
 
 from theditor.app.command import Command, can_edit, has_curve
 from theditor.app.lambda_dialogs import LambdaDialog, formula_dialog, gradient_dialog, smooth_dialog
+from theditor.app.point_commands import point_commands
 from theditor.app.theme import Theme, choose_theme, chosen_theme
 from theditor.app.view import zoom_to_selection
 from theditor.spline import KNOWN, Known, Mode
@@ -310,6 +311,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             gap=True,
         ),
         *map(insert, KNOWN, _with_mnemonics([known.name for known in KNOWN])),
+        *point_commands(window),
         tool("select", "&Select and move", "Select, move and shape with the mouse", ("S", "N"), "Select"),
         tool("pen", "&Pen", "Draw a curve by its control points, one click each", ("B",), "Pen"),
         Command(
