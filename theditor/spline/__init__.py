@@ -13,9 +13,11 @@ from theditor.spline.basis import (
 from theditor.spline.catalogue import KNOWN, Known, Parameter
 from theditor.spline.checks import MAX_COORDINATE, MAX_LAMBDA, fewest_points
 from theditor.spline.continuity import Continuity, JointReport, continuity
+from theditor.spline.corners import corner, smooth
 from theditor.spline.crossings import intersections, self_intersections
 from theditor.spline.curvature import bending_energy, curvature, osculating_circle
 from theditor.spline.curve import Curve, Ends
+from theditor.spline.degrees import with_degree
 from theditor.spline.formula import FormulaError
 from theditor.spline.geometry import nearest
 from theditor.spline.guards import Guards, ReversedJoint, hull, negative_basis, reversed_joints
@@ -74,6 +76,7 @@ __all__ = [
     "changed_segments",
     "closed",
     "continuity",
+    "corner",
     "curvature",
     "curvature_extremes",
     "evaluate_segments",
@@ -109,8 +112,10 @@ __all__ = [
     "segment_bounds",
     "self_intersections",
     "shifted",
+    "smooth",
     "smoothed",
     "split",
     "uniform_b_spline_samples",
+    "with_degree",
     "with_free_ends",
 ]

@@ -22,7 +22,7 @@ _HELD: Final = 1e4  # what a point to be met counts
 _DRIFT: Final = (
     0.5  # how far a parameter may wander, lest a part of the curve be met by nothing and go astray
 )
-_DAMPING: Final = 1e-6  # of a step, so that what nothing determines stays
+_DAMPING: Final = 1e-10  # of a step, so that what nothing determines stays
 _ENOUGH: Final = 1e-4  # gain of a step, relative, below which the next is not worth its time
 
 
@@ -189,10 +189,13 @@ def _step(
     lambda_part = (across @ lambda_motion(curve, at, bent)).reshape(len(u) * dimension, -1)
     matrix = np.concatenate((point_part, lambda_part), axis=1)
     goal = (across @ miss[:, :, None]).ravel()
-    # Each unknown is damped in its own measure, so that neither units nor λ matter.
-    size = np.sqrt(len(u)) * _DAMPING * np.maximum(np.linalg.norm(matrix, axis=0), 1e-300)
-    matrix = np.concatenate((matrix, np.diag(np.minimum(size, 1e300))))
-    solution = np.linalg.lstsq(matrix, np.concatenate((goal, np.zeros(len(size)))), rcond=None)[0]
+    # Each unknown in its own measure, so that neither units nor λ matter to the damping.
+    size = np.linalg.norm(matrix, axis=0)
+    size = np.where(size > 0, size, 1.0)
+    matrix /= size
+    normal = matrix.T @ matrix
+    normal[np.diag_indices_from(normal)] += _DAMPING
+    solution = np.linalg.solve(normal, matrix.T @ goal) / size
     split = len(free) * dimension
     return solution[:split].reshape(len(free), dimension), solution[split:]
 
