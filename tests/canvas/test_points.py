@@ -127,6 +127,29 @@ def test_too_few_points_left_are_none(case, refit):
     assert document.drawing[0].curve == curve
 
 
+@pytest.mark.parametrize("degree", [2, 3])
+def test_corners_are_made_and_taken_away(degree):
+    shape = Curve(POINTS, degree=degree)
+    document = Document(Drawing([Item(shape)]))
+    selection = Selection(document)
+    selection.select(points={2, 4})
+    assert edits.make_corners(document, selection) == "Made a corner at P₂, P₄"
+    sharp = document.drawing[0].curve
+    assert len(sharp.control_points) == len(POINTS) + 2 * (degree - 1)
+    assert nearest(sharp, POINTS[2])[1] < 1e-12
+    assert nearest(sharp, POINTS[4])[1] < 1e-12
+    assert document.undo_stack.count() == 1
+    selection.select(points=range(len(sharp.control_points)))
+    assert edits.make_smooth(document, selection).startswith("Made the curve smooth at")
+    assert document.drawing[0].curve.control_points.tolist() == POINTS
+    selection.select(points={2})
+    assert edits.make_smooth(document, selection).startswith("Nothing changed")
+    selection.select(points={0})
+    with pytest.raises(ValueError, match="end of the curve"):
+        edits.make_corners(document, selection)
+    assert document.undo_stack.count() == 2
+
+
 def test_words_round_up_and_say_when_nothing_changed():
     shape = Curve(POINTS)
     assert changed(0.0, shape) == "the shape is the same"

@@ -1,4 +1,4 @@
-"""The commands of the menu Point: control points more, fewer and elsewhere."""
+"""The commands that edit control points, more, fewer and elsewhere, and what curves are made of."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from theditor.app.command import Command, can_edit, plain
-from theditor.canvas import arrange, points
+from theditor.canvas import arrange, pieces, points
 
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
@@ -32,12 +32,27 @@ def has_part(window: MainWindow) -> bool:
     return can_edit(window) and bool(window.selection.points or window.selection.segments)
 
 
+def can_join(window: MainWindow) -> bool:
+    """Needs an open curve that may be changed, and another one."""
+    item = window.selection.item
+    return (
+        can_edit(window) and item is not None and not item.curve.closed and len(window.document.drawing) > 1
+    )
+
+
 def point_commands(window: MainWindow) -> tuple[Command, ...]:
     """The rows of the table of commands that edit control points."""
     model = window.document, window.selection
 
     def said(edit: Callable[[], str]) -> Callable[[], None]:
-        return lambda: window.announce(edit())
+        def run() -> None:
+            try:
+                window.announce(edit())
+            except ValueError as error:
+                reason = str(error)
+                window.announce(f"{reason[0].upper()}{reason[1:]}.")
+
+        return run
 
     def arranged(title: str, how: arrange.Arrange) -> Callable[[], None]:
         return lambda: arrange.arrange(*model, title, how)
@@ -97,6 +112,29 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             on_canvas=True,
             places=("point",),
         ),
+        Command(
+            "corner",
+            "Point",
+            "Make a &corner",
+            "Repeat the selected control points, so that the curve has corners there",
+            said(lambda: points.make_corners(*model)),
+            ("Shift+C",),
+            has_points,
+            on_canvas=True,
+            places=("point",),
+            gap=True,
+        ),
+        Command(
+            "smooth_point",
+            "Point",
+            "Make &smooth",
+            "Take repeated control points away, so that the curve has no corner there",
+            said(lambda: points.make_smooth(*model)),
+            ("Shift+S",),
+            has_points,
+            on_canvas=True,
+            places=("point",),
+        ),
         flip(
             "flip_horizontally",
             "Flip &horizontally",
@@ -134,5 +172,46 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
         ),
         distribute(
             "distribute_vertically", "&Vertically", "Space the selected points evenly from bottom to top", 1
+        ),
+        Command(
+            "split",
+            "Curve",
+            "S&plit at the joint",
+            "Cut the curve at the joint of the selected control point, or between two selected segments",
+            said(lambda: pieces.split(*model)),
+            ("Shift+B",),
+            has_part,
+            on_canvas=True,
+            places=("point", "segment"),
+            gap=True,
+        ),
+        Command(
+            "join",
+            "Curve",
+            "&Join with the nearest end",
+            "Join the curve with the open curve whose end is nearest to one of its own",
+            said(lambda: pieces.join(*model)),
+            ("Shift+J",),
+            can_join,
+            on_canvas=True,
+            places=("point", "curve"),
+        ),
+        Command(
+            "close_or_open",
+            "Curve",
+            "Cl&ose or open",
+            "Close the curve or, if it is closed, open it at the selected joint; the shape is kept as well as possible",
+            said(lambda: pieces.close_or_open(*model)),
+            enabled=can_edit,
+            places=("curve",),
+        ),
+        Command(
+            "change_degree",
+            "Curve",
+            "Chan&ge degree",
+            "Make a cubic curve quadratic, a quadratic one cubic; the shape is kept as well as possible",
+            said(lambda: pieces.change_degree(*model)),
+            enabled=can_edit,
+            places=("curve",),
         ),
     )

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
 from theditor.canvas.viewport import Floats
 from theditor.model import Document, Selection
 from theditor.model.words import counted, indexed, number, symbols
-from theditor.spline import Curve, fewest_points
+from theditor.spline import Curve, corners, fewest_points
 from theditor.spline import points as edits
 
 
@@ -68,6 +69,48 @@ def remove(document: Document, selection: Selection, *, refit: bool) -> str:
     document.apply_curve(text, selection.curve, curve)
     selection.select(points=(), segments=())
     return f"Deleted {counted(len(chosen), 'control point')}; {changed(deviation, curve)}"
+
+
+def make_corners(document: Document, selection: Selection) -> str:
+    """Make a corner at each selected control point.
+
+    Raises
+    ------
+    ValueError
+        If one of them is the end of an open curve.
+    """
+    return _each(document, selection, corners.corner, "Make corner", "Made a corner at")
+
+
+def make_smooth(document: Document, selection: Selection) -> str:
+    """Take the corners at the selected control points away.
+
+    Raises
+    ------
+    ValueError
+        If fewer control points would stay than the curve needs.
+    """
+    return _each(document, selection, corners.smooth, "Make smooth", "Made the curve smooth at")
+
+
+def _each(
+    document: Document, selection: Selection, edit: Callable[[Curve, int], Curve], text: str, told: str
+) -> str:
+    """Edit the curve at each selected place, from the last to the first; points in one place count once."""
+    item = selection.item
+    assert item is not None, "there is a selection"
+    old = new = item.curve
+    chosen = sorted(selection.points)
+    places = [
+        i for i in chosen if i - 1 not in chosen or (old.control_points[i] != old.control_points[i - 1]).any()
+    ]
+    for i in reversed(places):
+        new = edit(new, i)
+    if new == old:
+        return f"Nothing changed: {symbols('P', places)} is that already"
+    document.apply_curve(text, selection.curve, new)
+    selection.select(points=(), segments=())
+    return f"{told} {symbols('P', places)}"
 
 
 def takes_the_curve(curve: Curve, count: int) -> bool:
