@@ -108,6 +108,16 @@ def test_crossings_move_with_the_curve(curve, factor, shift):
     agree(self_intersections(moved), self_intersections(curve), 1e-7)
 
 
+def test_the_beginning_of_a_long_curve_crosses_itself_as_if_it_were_alone():
+    generator = np.random.default_rng(3)
+    points = np.cumsum(generator.normal(size=(5000, 2)) + (0.5, 0), axis=0)
+    lambdas = generator.uniform(-2, 9, 5000)
+    found = self_intersections(Curve(points, lambdas), 1e-12)
+    alone = self_intersections(Curve(points[:303], lambdas[:303]), 1e-12)
+    assert len(alone) > 20
+    agree(found[found[:, 1] < 300], alone, 1e-9)
+
+
 def test_a_figure_of_eight_crosses_in_its_middle():
     for curve in (EIGHT, turned(EIGHT), EIGHT.with_(degree=3)):
         found = self_intersections(curve)

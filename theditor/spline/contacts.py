@@ -22,7 +22,9 @@ from theditor.spline.basis import Floats
 APART, FOLLOWING, SAME = 0, 1, 2  # how the two parts of a pair lie on one curve
 
 _DEEPEST = 40  # halvings
-_MOST = 8_000  # pairs open at a time, beside four for each at first
+_MOST = 16_000  # pairs of parts of one width, shared by all pairs of segments,
+_LEAST = 100  # but so many for each: no two segments need more that do not run along each other
+_SLICE = 16_000  # pairs of parts looked at together, so that memory stays bounded
 _STEPS = 12  # of Newton's method
 _EDGE = 1e-9  # how far outside its part, in t, a crossing may be found
 
@@ -81,9 +83,11 @@ def contacts(
         bernstein.polynomials(other, degrees[1]),
         kind,
     )
-    most = _MOST + 4 * len(rows)
+    most = max(_LEAST, _MOST // max(len(rows), 1))
     found: list[Contacts] = []
-    for depth in range(_DEEPEST + 1):
+    stack = [(0, pairs)]
+    while stack:
+        depth, pairs = stack.pop()
         width = 0.5**depth
         pairs = pairs.take(_open(pairs, tolerance))
         # Crossings: no direction in common.
@@ -92,27 +96,37 @@ def contacts(
         s, t, hit = _crossing(places)
         gap = np.hypot(*places.apart(s, t))
         hit &= gap <= tolerance
-        row = pairs.row[simple[hit]]
-        found.append(
-            Contacts(row, s[hit], t[hit], np.zeros(len(row)), gap[hit], np.zeros(len(row), np.bool_))
-        )
+        found.append(_contacts(pairs.take(simple), s, t, 0.0, gap, hit))
         left = np.ones(len(pairs.row), dtype=np.bool_)
         left[simple[hit]] = False
         pairs = pairs.take(left)
         # Straight parts, and what is left when the work gets too much.
         done = _straight(pairs.a, tolerance) & _straight(pairs.b, tolerance)
-        done |= (depth == _DEEPEST) | (len(done) > most)
+        done |= (depth == _DEEPEST) | (np.bincount(pairs.row, minlength=len(rows))[pairs.row] > most)
         rest = pairs.take(done)
         s, t, gap = _nearest(_places(rest, one, other, degrees, width))
-        own = rest.kind != APART
-        near = own | (gap <= tolerance)
-        found.append(
-            Contacts(rest.row[near], s[near], t[near], np.full(np.count_nonzero(near), width), gap[near], own[near])
-        )
-        pairs = _halved(pairs.take(~done), width / 2)
-        if not len(pairs.row):
-            break
+        found.append(_contacts(rest, s, t, width, gap, (rest.kind != APART) | (gap <= tolerance)))
+        pairs = pairs.take(~done)
+        if len(pairs.row):
+            stack += [(depth + 1, part) for part in _sliced(_halved(pairs, width / 2))]
     return Contacts(*(np.concatenate(column) for column in zip(*found, strict=True)))
+
+
+def _contacts(
+    pairs: _Pairs, s: Floats, t: Floats, width: float, gap: Floats, chosen: NDArray[np.bool_]
+) -> Contacts:
+    widths = np.full(np.count_nonzero(chosen), width)
+    return Contacts(pairs.row[chosen], s[chosen], t[chosen], widths, gap[chosen], pairs.kind[chosen] != APART)
+
+
+def _sliced(pairs: _Pairs) -> list[_Pairs]:
+    """Return the pairs in portions, those of two segments together."""
+    if len(pairs.row) <= _SLICE:
+        return [pairs]
+    order = np.argsort(pairs.row, kind="stable")
+    row = pairs.row[order]
+    cuts = np.unique(np.searchsorted(row, row[_SLICE::_SLICE]))
+    return [pairs.take(part) for part in np.split(order, cuts) if len(part)]
 
 
 def _places(
