@@ -4,8 +4,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from spline_strategies import coordinates, curves, scale
 
-from theditor.spline import JOINT_SLOPE_ZERO, Curve, known, nearest
-from theditor.spline.geometry import bounds
+import theditor.spline
+from theditor.spline import JOINT_SLOPE_ZERO, Curve, bounds, known, nearest
 
 
 @given(curves(), st.data())
@@ -64,6 +64,15 @@ def test_far_away_points_and_large_coordinates_keep_the_accuracy():
     assert nearest(known.ellipse(), (1e9, 0))[1] == pytest.approx(1e9 - 2, abs=1e-3)
 
 
+@given(curves())
+def test_many_points_are_as_near_as_one_by_one(curve):
+    points = np.random.default_rng(2).uniform(-9, 9, (2, 3, curve.dimension))
+    u, distance = nearest(curve, points)
+    alone = [[nearest(curve, point) for point in row] for row in points]
+    np.testing.assert_array_equal(np.stack((u, distance), axis=-1), alone)
+    assert nearest(curve, points[0, :0])[0].shape == (0,)
+
+
 def test_a_closed_curves_seam_is_its_start():
     curve = known.ellipse()
     u, distance = nearest(curve, curve(0))
@@ -95,8 +104,34 @@ def test_the_bounds_of_a_turned_ellipse(rotation, a, b, degree):
 
 def test_what_makes_no_sense_is_refused():
     curve = known.ellipse()
-    for point in ((1, 2, 3), (np.nan, 0), 5.0):
-        with pytest.raises(ValueError, match="the point needs 2 finite coordinates"):
+    for point in ((1, 2, 3), (np.nan, 0), 5.0, [(0, 0), (1, np.inf)]):
+        with pytest.raises(ValueError, match="each point needs 2 finite coordinates"):
             nearest(curve, point)
     with pytest.raises(ValueError, match="accuracy must be a positive number"):
         bounds(curve, -1.0)
+
+
+def test_every_measure_is_called_from_the_library_itself():
+    for name in (
+        "arc_length",
+        "nearest",
+        "bounds",
+        "curvature",
+        "inflections",
+        "self_intersections",
+        "intersections",
+        "curvature_extremes",
+        "bending_energy",
+        "osculating_circle",
+        "continuity",
+        "hull",
+        "negative_basis",
+        "reversed_joints",
+        "pull",
+        "reach",
+        "joint_track",
+        "recognise",
+        "missing",
+    ):
+        assert callable(getattr(theditor.spline, name)), name
+        assert name in theditor.spline.__all__

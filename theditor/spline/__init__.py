@@ -18,8 +18,9 @@ from theditor.spline.crossings import intersections, self_intersections
 from theditor.spline.curvature import bending_energy, curvature, osculating_circle
 from theditor.spline.curve import Curve, Ends
 from theditor.spline.degrees import with_degree
+from theditor.spline.fit import Fitted, fit
 from theditor.spline.formula import FormulaError
-from theditor.spline.geometry import nearest
+from theditor.spline.geometry import bounds, nearest
 from theditor.spline.guards import Guards, ReversedJoint, hull, negative_basis, reversed_joints
 from theditor.spline.kinds import Kind
 from theditor.spline.lambdas import gradient, shifted, smoothed
@@ -53,6 +54,7 @@ __all__ = [
     "Curve",
     "Edited",
     "Ends",
+    "Fitted",
     "FormulaError",
     "Guards",
     "Inflections",
@@ -73,6 +75,7 @@ __all__ = [
     "arc_lengths",
     "basis",
     "bending_energy",
+    "bounds",
     "changed_segments",
     "closed",
     "continuity",
@@ -81,6 +84,7 @@ __all__ = [
     "curvature_extremes",
     "evaluate_segments",
     "fewest_points",
+    "fit",
     "formula",
     "gradient",
     "hull",

@@ -7,7 +7,7 @@ from typing import Literal, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from theditor.spline import bounds, checks, joints, sampling
+from theditor.spline import checks, enclosures, joints, sampling
 from theditor.spline.basis import INTERPOLATING, Floats, Mode, check_degree, check_order, lambda_of
 
 Ends = Literal["free", "clamped"]
@@ -195,12 +195,12 @@ class Curve:
     @cached_property
     def boxes(self) -> tuple[Floats, Floats]:
         """Corners of a box around each segment, coordinate-major; `segment_bounds` explains them."""
-        return bounds.boxes(self.joint_form, self.degree)
+        return enclosures.boxes(self.joint_form, self.degree)
 
     @cached_property
     def turning(self) -> Floats:
         """A bound of the second derivative's length along each segment, (segment_count,)."""
-        return bounds.turning(self.joint_form, self.degree)
+        return enclosures.turning(self.joint_form, self.degree)
 
     # Points on it
 

@@ -61,7 +61,7 @@ def farthest(points: Floats, curve: Curve, u: Floats) -> float:
         worst = int(np.argmax(distances))
         if distances[worst] <= _ROUNDING * float(np.abs(curve.control_points).max()):
             return float(distances[worst])
-        true = nearest(curve, points[worst])[1]
+        true = float(nearest(curve, points[worst])[1])
         if true >= distances[worst] * (1 - 1e-9):
             return true
         distances[worst] = true

@@ -1,4 +1,4 @@
-"""The nearest point of a curve, and its exact bounds."""
+"""The points of a curve nearest to given ones, and its exact bounds."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,8 +15,8 @@ _CLOSE = 4e-16  # steps of t that are none
 _BLOCK = 256  # segments at a time: the best found in one rules out most of the next
 
 
-def nearest(curve: Curve, point: ArrayLike, accuracy: float = 1e-12) -> tuple[float, float]:
-    """Return the point of the curve nearest to a given one: the global minimum, on any curve.
+def nearest(curve: Curve, points: ArrayLike, accuracy: float = 1e-12) -> tuple[Floats, Floats]:
+    """Return the point of the curve nearest to each given one: the global minimum, on any curve.
 
     Segments whose box is farther than a point already found are left out; on the others every local minimum
     is isolated.
@@ -24,45 +24,30 @@ def nearest(curve: Curve, point: ArrayLike, accuracy: float = 1e-12) -> tuple[fl
     Parameters
     ----------
     curve : Curve
-    point : array_like, shape (d,)
+    points : array_like, shape (d,) or (..., d)
+        One point or many.
     accuracy : float
         By how much the distance may exceed the least one, relative to the largest |coordinate| of the curve
         and the point.
 
     Returns
     -------
-    u : float
+    u : ndarray, shape (...); for one point a number
         The parameter; of several equally near, any one. On a closed curve less than segment_count.
-    distance : float
+    distance : ndarray, likewise
 
     Raises
     ------
     ValueError
-        If the point has not one finite number for each coordinate, or `accuracy` is not a positive number.
+        If a point has not one finite number for each coordinate, or `accuracy` is not a positive number.
     """
     check_accuracy(accuracy)
-    target = np.asarray(point, dtype=np.float64)
-    if target.shape != (curve.dimension,) or not np.isfinite(target).all():
-        raise ValueError(f"the point needs {curve.dimension} finite coordinates, not {point!r}")
-    size = max(float(np.abs(curve.control_points).max()), float(np.abs(target).max()))
-    low, high = curve.boxes
-    gap = np.maximum(np.maximum(low - target[:, None], target[:, None] - high), 0)
-    least = np.sqrt(np.einsum("dk,dk->k", gap, gap))
-    # A point of the segment that looks nearest leaves a few candidates, to be sorted.
-    u = int(np.argmin(least)) + 0.5
-    best = float(np.linalg.norm(curve(u) - target))
-    candidates = np.flatnonzero(least <= best)
-    candidates = candidates[np.argsort(least[candidates], kind="stable")]
-    for first in range(0, len(candidates), _BLOCK):
-        block = candidates[first : first + _BLOCK]
-        block = block[least[block] < best - accuracy * size]
-        if not len(block):
-            break
-        t, distances, rows = _local_minima(curve, block, target, best)
-        if len(rows) and distances.min() < best:
-            nearer = int(np.argmin(distances))
-            best, u = float(distances[nearer]), float(block[rows[nearer]] + t[nearer])
-    return (0.0 if curve.closed and u == curve.segment_count else u), best
+    targets = np.asarray(points, dtype=np.float64)
+    if targets.shape[-1:] != (curve.dimension,) or not np.isfinite(targets).all():
+        raise ValueError(f"each point needs {curve.dimension} finite coordinates")
+    found = [_nearest(curve, target, accuracy) for target in targets.reshape(-1, curve.dimension)]
+    u, distance = np.array(found, dtype=np.float64).reshape(-1, 2).T.reshape(2, *targets.shape[:-1])
+    return u, distance
 
 
 def bounds(curve: Curve, accuracy: float = 1e-12) -> tuple[Floats, Floats]:
@@ -98,6 +83,29 @@ def bounds(curve: Curve, accuracy: float = 1e-12) -> tuple[Floats, Floats]:
         low[axis] = extremes.min(initial=low[axis])
         high[axis] = extremes.max(initial=high[axis])
     return low, high
+
+
+def _nearest(curve: Curve, target: Floats, accuracy: float) -> tuple[float, float]:
+    """Return the parameter of the point nearest to one target, and its distance."""
+    size = max(float(np.abs(curve.control_points).max()), float(np.abs(target).max()))
+    low, high = curve.boxes
+    gap = np.maximum(np.maximum(low - target[:, None], target[:, None] - high), 0)
+    least = np.sqrt(np.einsum("dk,dk->k", gap, gap))
+    # A point of the segment that looks nearest leaves a few candidates, to be sorted.
+    u = int(np.argmin(least)) + 0.5
+    best = float(np.linalg.norm(curve(u) - target))
+    candidates = np.flatnonzero(least <= best)
+    candidates = candidates[np.argsort(least[candidates], kind="stable")]
+    for first in range(0, len(candidates), _BLOCK):
+        block = candidates[first : first + _BLOCK]
+        block = block[least[block] < best - accuracy * size]
+        if not len(block):
+            break
+        t, distances, rows = _local_minima(curve, block, target, best)
+        if len(rows) and distances.min() < best:
+            nearer = int(np.argmin(distances))
+            best, u = float(distances[nearer]), float(block[rows[nearer]] + t[nearer])
+    return (0.0 if curve.closed and u == curve.segment_count else u), best
 
 
 def _local_minima(

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from theditor.spline import bounds, joints
+from theditor.spline import enclosures, joints
 from theditor.spline.basis import Floats, hyperbolic, trigonometric
 from theditor.spline.checks import clean_indices
 
@@ -143,7 +143,7 @@ def segment_bounds(curve: "Curve", segments: ArrayLike | None = None) -> tuple[F
         low, high = curve.boxes
     else:
         chosen = clean_indices(segments, curve.segment_count, "segment")
-        low, high = bounds.boxes(joints.take_segments(curve, chosen), curve.degree)
+        low, high = enclosures.boxes(joints.take_segments(curve, chosen), curve.degree)
     return low.T, high.T
 
 
@@ -178,7 +178,7 @@ def intervals_for(
     if segments is None:
         return _intervals(curve.turning, tolerance, most)
     chosen = clean_indices(segments, curve.segment_count, "segment")
-    return _intervals(bounds.turning(joints.take_segments(curve, chosen), curve.degree), tolerance, most)
+    return _intervals(enclosures.turning(joints.take_segments(curve, chosen), curve.degree), tolerance, most)
 
 
 def sample_adaptively(
@@ -212,8 +212,8 @@ def sample_adaptively(
     else:
         chosen = clean_indices(segments, curve.segment_count, "segment")
         parts = joints.take_segments(curve, chosen)
-        turning = bounds.turning(parts, curve.degree)
-        boxes = bounds.boxes(parts, curve.degree) if window else None
+        turning = enclosures.turning(parts, curve.degree)
+        boxes = enclosures.boxes(parts, curve.degree) if window else None
     shown = np.arange(len(chosen))
     if boxes is not None:
         seen = (boxes[1] >= _corner(low, -np.inf, curve)) & (boxes[0] <= _corner(high, np.inf, curve))

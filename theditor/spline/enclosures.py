@@ -1,4 +1,4 @@
-"""Bounds that hold along a whole segment, for any λ: its box, and how fast its direction turns."""
+"""Enclosures that hold along a whole segment, for any λ: its box, and how fast its direction turns."""
 
 import numpy as np
 
