@@ -137,7 +137,7 @@ def test_hover_says_what_would_be_grabbed(canvas, hand, qtbot):
     assert canvas.viewport().cursor().shape() == Qt.CursorShape.SizeAllCursor
     with qtbot.waitSignal(canvas.pointed) as told:
         hand.move(canvas.document.drawing[0].curve(1.5))
-    assert told.args[0].over.startswith("over segment 2 at t = 0.50 · radius ")
+    assert told.args[0].over.startswith("over segment 2 at t = 0.50 · κ ")
     beside = canvas.document.drawing[0].curve(1.5) + np.array([0, 3.0 / canvas.plane.scale])
     assert colour_near(canvas, beside, LIGHT.selection)
     hand.move([20.0, 20.0])

@@ -5,9 +5,20 @@ import pytest
 from hand import CTRL, SHIFT
 from PySide6.QtCore import Qt
 
+from theditor.canvas.overlays import marks
+from theditor.canvas.viewport import Viewport
 from theditor.drawing import Drawing, Item
 from theditor.model import LIGHT
-from theditor.spline import CONVEX_HULL_RANGE, INTERPOLATING, PULL_BOUNDS, Curve, joint_track, pull
+from theditor.spline import (
+    CONVEX_HULL_RANGE,
+    INTERPOLATING,
+    PULL_BOUNDS,
+    Curve,
+    joint_track,
+    middle_track,
+    pull,
+    uniform_b_spline_samples,
+)
 
 POINTS = [[0.0, 0.0], [1.0, 3.0], [3.0, 3.0], [5.0, -1.0], [7.0, 0.0], [8.0, 2.0]]
 
@@ -146,3 +157,131 @@ def test_the_reach_of_a_lambda_is_shaded(canvas):
     assert shaded.pixel(x, y) != plain.pixel(x, y)
     canvas.show_reach([])
     assert canvas.grab().toImage() == plain
+
+
+def start_quadratic(canvas, lambdas=0.0):
+    canvas.document.start(Drawing([Item(Curve(POINTS, lambdas, degree=2))]))
+    canvas.fit()
+
+
+def test_a_slide_begins_where_the_middle_is_and_keeps_differences(canvas, hand):
+    start_quadratic(canvas, [0, 0, -10.0, 9.0, 0, 0])
+    middle = curve(canvas)(1.5)
+    along = middle_track(curve(canvas), 1).direction
+    step = 4.0 / canvas.plane.scale * along / np.hypot(*along)
+    hand.drag(middle, middle + step)
+    assert np.hypot(*(curve(canvas)(1.5) - middle)) == pytest.approx(4.0 / canvas.plane.scale, rel=0.3)
+    assert curve(canvas).lambdas[3] - curve(canvas).lambdas[2] == pytest.approx(19.0)
+
+
+def test_slides_and_pulls_say_when_they_end(canvas, hand, qtbot):
+    track = joint_track(curve(canvas), 2)
+    hand.press(track.position(0.0))
+    with qtbot.waitSignal(canvas.pointed) as told:
+        hand.move(track.position(40.0))
+    assert curve(canvas).lambdas[2] == PULL_BOUNDS[1]
+    assert "as far as the slide goes" in told.args[0].hint
+    hand.release(track.position(40.0))
+    start_quadratic(canvas)
+    canvas.show_view(*curve(canvas)(1.0), 400.0)
+    joint = curve(canvas)(1.0)
+    hand.press(joint)
+    with qtbot.waitSignal(canvas.pointed) as told:
+        hand.move(joint + [0.1, 0.1])
+    assert "drag beside it" in told.args[0].hint
+
+
+def test_keeping_the_convex_hull_holds_for_every_curve_and_for_slides(canvas, hand):
+    canvas.keep_hull(True)
+    low, high = CONVEX_HULL_RANGE[3]
+    other = canvas.document.drawing[1].curve
+    hand.drag(other(0.5), other(0.5) + [0.2, -3.0])
+    lambdas = canvas.document.drawing[1].curve.lambdas
+    assert ((lambdas >= low) & (lambdas <= high)).all()
+    assert (lambdas != 1.0).any()
+    canvas.selection.select(curve=0)
+    track = joint_track(curve(canvas), 2)
+    hand.drag(track.position(0.0), track.position(40.0))
+    assert curve(canvas).lambdas[2] == high
+
+
+def test_clamped_and_closed_curves_are_pulled_and_locked_ones_are_not(canvas, hand):
+    for kind in ({"ends": "clamped"}, {"closed": True}):
+        canvas.document.start(Drawing([Item(Curve(POINTS, **kind))]))
+        canvas.fit()
+        u = 0.4
+        start, goal = curve(canvas)(u), curve(canvas).with_lambdas([0, 1], [2.0, 3.0])(u)
+        hand.drag(start, goal)
+        assert curve(canvas)(u) == pytest.approx(goal, abs=4 / canvas.plane.scale)
+        assert curve(canvas).control_points.tolist() == POINTS
+    locked = canvas.document.drawing[0].with_(locked=True)
+    canvas.document.start(Drawing([locked]))
+    hand.drag(start, goal)
+    assert canvas.document.drawing[0] == locked
+
+
+def changed_at(before, after, place):
+    x, y = place
+    return any(
+        before.pixel(x + i, y + j) != after.pixel(x + i, y + j) for i in range(-3, 4) for j in range(-3, 4)
+    )
+
+
+def test_tracks_show_where_the_modes_put_a_joint(canvas, hand):
+    off = dict.fromkeys(("grid", "labels", "polygon", "joints", "legend"), False)
+    canvas.set_shown(**off)
+    hand.move([20.0, 20.0])
+    plain = canvas.grab().toImage()
+    track = joint_track(curve(canvas), 2)
+    ends = canvas.plane.to_pixels(track.position(np.array([-12.0, 5.0]))).astype(int).tolist()
+    hand.move(track.position(0.0))
+    hovered = canvas.grab().toImage()
+    assert all(changed_at(plain, hovered, end) for end in ends)
+    hand.move([20.0, 20.0])
+    canvas.selection.select(points={2})
+    selected = canvas.grab().toImage()
+    assert all(changed_at(plain, selected, end) for end in ends)
+
+
+def test_marks_nearer_than_a_hand_can_tell_become_one(canvas):
+    track = joint_track(curve(canvas), 2)
+    small, large = (Viewport(*track.origin, scale, 800.0, 600.0) for scale in (10.0, 5000.0))
+    assert [letters for _, letters in marks(3, track, small)][0].startswith("T H")
+    assert [letters for _, letters in marks(3, track, large)] == ["T", "H", "λ*"]
+
+
+def test_the_ordinary_b_spline_is_drawn_on_the_same_polygon(canvas):
+    canvas.set_shown(grid=False, polygon=False)
+    canvas.document.apply_curve("Shape", 0, curve(canvas).with_lambdas([2, 3], [-12.0, -12.0]))
+    plain = canvas.grab().toImage()
+    canvas.set_shown(uniform=True)
+    with_it = canvas.grab().toImage()
+    samples = canvas.plane.to_pixels(uniform_b_spline_samples(curve(canvas), 16)).astype(int).tolist()
+    assert sum(changed_at(plain, with_it, place) for place in samples) > len(samples) / 2
+
+
+def test_hovering_a_joint_or_a_middle_shades_its_reach(canvas, hand):
+    canvas.set_shown(grid=False, polygon=False, labels=False)
+    hand.move([20.0, 20.0])
+    plain = canvas.grab().toImage()
+    hand.move(joint_track(curve(canvas), 2).position(0.0))
+    place = canvas.plane.to_pixels(curve(canvas).with_lambdas([2], [-12.0])(1.2)).astype(int).tolist()
+    assert changed_at(plain, canvas.grab().toImage(), place)
+    start_quadratic(canvas)
+    hand.move([20.0, 20.0])
+    plain = canvas.grab().toImage()
+    hand.move(curve(canvas)(1.5))
+    place = canvas.plane.to_pixels(curve(canvas).with_lambdas([2], [-12.0])(1.2)).astype(int).tolist()
+    assert changed_at(plain, canvas.grab().toImage(), place)
+
+
+def test_the_band_of_reach_has_the_interpolating_curve_in_it(canvas):
+    canvas.set_shown(grid=False, polygon=False, labels=False, modes=False, joints=False)
+    canvas.show_reach([2])
+    there = curve(canvas).with_lambdas([2], [INTERPOLATING[3]])
+    image = canvas.grab().toImage()
+    greenish = 0
+    for x, y in canvas.plane.to_pixels(there(np.linspace(0.5, 1.5, 30))).astype(int).tolist():
+        near = [image.pixelColor(x + i, y + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+        greenish += any(pixel.green() > max(pixel.red(), pixel.blue()) + 20 for pixel in near)
+    assert greenish > 15

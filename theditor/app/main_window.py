@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from theditor.app.actions import commands
+from theditor.app.clipboard import Clipboard
 from theditor.app.context_menus import ContextMenus
 from theditor.app.docks import add_dock, scrolling_column
 from theditor.app.files import Files
@@ -57,12 +58,12 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
         self.resize(1360, 860)
-        self.setMinimumSize(720, 480)
         self.document = Document(parent=self)
         self.selection = Selection(self.document, self)
         self.canvas = Canvas(self.document, self.selection)
         self.messages, self.guide = MessageBar(), GuideBar()
         self.files = Files(self)
+        self.clipboard = Clipboard(self)
         self._build_panels()
         self.commands = commands(self)
         self.actions_by_name = build_menus(self)
@@ -172,7 +173,7 @@ class MainWindow(QMainWindow):
             self.actions_by_name[command.name].setEnabled(command.enabled(self))
 
     def announce(self, text: str) -> None:
-        """Say something in the status line, until some seconds pass or, once it is read, the pointer finds something."""
+        """Say something in the status line, until some seconds pass or the pointer finds something later on."""
         self._over.setText(text)
         self._announced.start()
 

@@ -13,20 +13,21 @@ from PySide6.QtWidgets import QToolTip, QWidget
 
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.fit import fitted
-from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit, exists, parameter_of
+from theditor.canvas.freehand import FreehandTool
+from theditor.canvas.hit_test import BoxHit, Hit, JointHit, MiddleHit, PointHit, SegmentHit, exists, parameter_of
 from theditor.canvas.legend import Legend
-from theditor.canvas.overlays import guards_of
 from theditor.canvas.pen import PenTool
 from theditor.canvas.picking import key_of
 from theditor.canvas.picture import Frame, Shown, paint_ground, paint_picture
 from theditor.canvas.select import SelectTool
-from theditor.canvas.shaping import PullCurve
+from theditor.canvas.shaping import PullCurve, shaped_by
 from theditor.canvas.snapping import Snapper
 from theditor.canvas.tool import Bench, Keys, Tool
 from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pan, Pointer
+from theditor.canvas.transform import cursor_for
 from theditor.canvas.view import PlaneView
 from theditor.canvas.viewport import Floats
-from theditor.canvas.words import Pointed, describe, hint, warning
+from theditor.canvas.words import Pointed, describe, hint, reasons, warning
 from theditor.drawing import Drawing
 from theditor.model import Document, Selection, colours_for, unbreakable
 from theditor.spline import CONVEX_HULL_RANGE, PULL_BOUNDS
@@ -55,13 +56,12 @@ class Canvas(PlaneView):
         self._keep_hull = False
         self._place: float | None = None
         self.snapper = Snapper(self._curves)
-        bench = Bench(
-            document, selection, self, self._curves, self.snapper, lambda: self._bounds, self.announce.emit
-        )
+        bench = Bench(document, selection, self, self._curves, self.snapper, self._bounds, self.announce.emit)
         self._select = SelectTool(bench)
         self._tools: dict[str, Tool] = {
             "select": self._select,
             "pen": PenTool(bench, lambda: self.use("select")),
+            "freehand": FreehandTool(bench, lambda: self.use("select")),
         }
         self._tool: Tool = self._select
 
@@ -147,7 +147,7 @@ class Canvas(PlaneView):
             self._shown,
             colours_for(self.palette()),
             self.font(),
-            self._bounds,
+            self._bounds(selection.curve),
             self._document.before,
             self._place,
             self._reach_points(),
@@ -169,8 +169,10 @@ class Canvas(PlaneView):
         self.viewport().update()
 
     def _reach_points(self) -> tuple[int, ...]:
-        hit = self._valid_hit()
-        return (hit.point,) if isinstance(hit, JointHit) else self._reach
+        hit, item = self._valid_hit(), self._selection.item
+        if isinstance(hit, JointHit | MiddleHit) and item is not None:
+            return tuple(shaped_by(item.curve, hit))
+        return self._reach
 
     def show_reach(self, points: Iterable[int]) -> None:
         """Shade what the λ of these control points can reach; nothing for none."""
@@ -182,10 +184,11 @@ class Canvas(PlaneView):
         self._keep_hull = on
         self.viewport().update()
 
-    @property
-    def _bounds(self) -> tuple[float, float]:
-        item = self._selection.item
-        return CONVEX_HULL_RANGE[item.curve.degree] if self._keep_hull and item is not None else PULL_BOUNDS
+    def _bounds(self, index: int) -> tuple[float, float]:
+        """How far a hand may move the λ of a curve of the drawing."""
+        drawing = self._document.drawing
+        keep = self._keep_hull and 0 <= index < len(drawing)
+        return CONVEX_HULL_RANGE[drawing[index].curve.degree] if keep else PULL_BOUNDS
 
     # Following the model
 
@@ -243,6 +246,8 @@ class Canvas(PlaneView):
             shape = Qt.CursorShape.OpenHandCursor
         elif self._tool.cursor is not None:
             shape = self._tool.cursor
+        elif isinstance(self._hit, BoxHit):
+            shape = cursor_for(self._hit)
         elif isinstance(self._hit, PointHit):
             shape = Qt.CursorShape.SizeAllCursor
         elif isinstance(self._hit, JointHit | MiddleHit):
@@ -336,11 +341,10 @@ class Canvas(PlaneView):
     def viewportEvent(self, event: QEvent) -> bool:
         """Say in a tooltip which promise a marked segment no longer keeps."""
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            hit = self._valid_hit()
-            item = self._selection.item
-            reason = ""
-            if isinstance(hit, SegmentHit) and hit.curve == self._selection.curve and item is not None:
-                reason = guards_of(item.curve).reason(hit.segment)
+            current = self._selection.item
+            reason = (
+                "" if current is None else reasons(self._valid_hit(), self._selection.curve, current.curve)
+            )
             QToolTip.showText(event.globalPos(), reason, self)
             return True
         return bool(super().viewportEvent(event))

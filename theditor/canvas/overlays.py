@@ -62,7 +62,9 @@ def paint_track(
                 painter, np.stack([at - TICK * across, at + TICK * across]), plane, _pen(colours.accent, 1.5)
             )
             painter.setPen(QColor(colours.accent_text))
-            painter.drawText(QPointF(*(at + 9 * across + (-4, 4))), label)
+            wide = painter.fontMetrics().horizontalAdvance(label)
+            clear = at + 12 * across
+            painter.drawText(QPointF(clear[0] - (wide if across[0] < -0.1 else 0), clear[1] + 4), label)
     painter.setPen(_pen(colours.canvas, 1.0))
     painter.setBrush(QColor(colours.accent))
     diamond = place + np.array([[0, -5], [5, 0], [0, 5], [-5, 0]])

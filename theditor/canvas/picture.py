@@ -11,16 +11,17 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPen
 from theditor.canvas import comb, handles, overlays
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.grid import paint_grid
-from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit
+from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit, parameter_of
 from theditor.canvas.labels import MOST, paint_labels
 from theditor.canvas.projection import projected
 from theditor.canvas.shaping import track_of
 from theditor.canvas.sketch import Sketch, paint_sketch
 from theditor.canvas.snapping import Snapped
+from theditor.canvas.transform import box_around, paint_box
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.drawing import Drawing
 from theditor.model import Colours
-from theditor.spline import Curve, Track, hull, joint_track
+from theditor.spline import Curve, Track, hull, joint_track, middle_track
 
 MOST_HULLS = 50
 """Of more selected segments only the first show their convex hulls."""
@@ -130,14 +131,17 @@ def _paint_curves(painter: QPainter, frame: Frame, curves: CurvesPainter) -> Non
         overlays.paint_guards(painter, curve, plane, colours)
     if frame.shown.marks:
         comb.paint_marks(painter, curve, plane, colours)
-    for track in _tracks(frame, curve):
-        overlays.paint_track(painter, curve, track, plane, colours, frame.font)
     if frame.place is not None and frame.place <= curve.segment_count:
         overlays.paint_place(painter, plane.to_pixels(curve(frame.place)), colours)
     if frame.miss is not None:
         overlays.paint_miss(painter, plane.to_pixels(frame.miss), colours)
     hovered = frame.hit.index if isinstance(frame.hit, PointHit) else None
+    box = box_around(curve, frame.points)
+    if box is not None and frame.marquee is None and not drawing[current].locked:
+        paint_box(painter, box, plane, colours)
     handles.paint_handles(painter, curve, plane, frame.points, hovered, colours)
+    for track in _tracks(frame, curve):
+        overlays.paint_track(painter, curve, track, plane, colours, frame.font)
     if frame.shown.labels:
         _paint_labels(painter, frame, curve, curves)
 
@@ -149,20 +153,22 @@ def _paint_curvature(painter: QPainter, frame: Frame, curve: Curve) -> None:
         reference = projected(steady[frame.current].curve) if frame.current < len(steady) else curve
         comb.paint_comb(painter, curve, reference, shown.comb_length, shown.comb_density, plane, colours)
     if shown.circle:
-        hit = frame.hit
-        here = hit.segment + hit.t if isinstance(hit, SegmentHit) and hit.curve == frame.current else None
+        here = parameter_of(frame.hit, frame.current, curve)
         u = frame.place if here is None else here
         if u is not None:
             comb.paint_circle(painter, curve, u, plane, colours)
 
 
 def _tracks(frame: Frame, curve: Curve) -> list[Track]:
-    """The tracks to show: that of the joint under the pointer, else that of the one selected point."""
+    """The tracks to show: of what is under the pointer, else of the one selected point or segment."""
     if isinstance(frame.hit, JointHit | MiddleHit):
         return [track_of(curve, frame.hit)]
-    if frame.hit is None and len(frame.points) == 1 and curve.degree == 3 and frame.shown.joints:
+    if curve.degree == 3 and len(frame.points) == 1:
         (point,) = frame.points
         return [joint_track(curve, point)] if curve.active_lambdas[point] else []
+    if curve.degree == 2 and len(frame.segments) == 1 and not frame.points:
+        (segment,) = frame.segments
+        return [middle_track(curve, segment)]
     return []
 
 

@@ -6,7 +6,16 @@ import numpy as np
 from PySide6.QtCore import Qt
 
 from theditor.canvas import points
-from theditor.canvas.hit_test import REACH, Hit, JointHit, MiddleHit, PointHit, SegmentHit, parameter_of
+from theditor.canvas.hit_test import (
+    REACH,
+    BoxHit,
+    Hit,
+    JointHit,
+    MiddleHit,
+    PointHit,
+    SegmentHit,
+    parameter_of,
+)
 from theditor.canvas.nudge import ARROWS, nudge
 from theditor.canvas.picking import Key, key_of, pick
 from theditor.canvas.projection import projected
@@ -14,9 +23,9 @@ from theditor.canvas.shaping import PullCurve, SlideJoint
 from theditor.canvas.snapping import Snapped
 from theditor.canvas.tool import Bench, Keys
 from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pointer, Still
+from theditor.canvas.transform import Box, Transform, box_around, pick_box
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.model.words import indexed, number
-from theditor.spline import PULL_BOUNDS
 
 
 class SelectTool:
@@ -38,7 +47,21 @@ class SelectTool:
     def hits(self, at: Floats) -> list[Hit]:
         """What can be grabbed at a pixel, topmost first."""
         bench = self._bench
-        return pick(at, bench.document.drawing, bench.selection.curve, bench.curves, bench.view.plane)
+        plane = bench.view.plane
+        hits = pick(at, bench.document.drawing, bench.selection.curve, bench.curves, plane)
+        box = self._box
+        grip = pick_box(box, at, plane) if box is not None else None
+        if grip is not None:
+            hits.insert(sum(isinstance(hit, PointHit) for hit in hits), grip)
+        return hits
+
+    @property
+    def _box(self) -> Box | None:
+        """The box around the selected points, if they can be moved."""
+        item, chosen = self._bench.selection.item, self._bench.selection.points
+        if item is None or item.locked or not item.visible:
+            return None
+        return box_around(projected(item.curve), chosen)
 
     def hover(self, pointer: Pointer) -> Hit:
         """What would be grabbed."""
@@ -123,10 +146,12 @@ class SelectTool:
         if isinstance(hit, PointHit):
             return MovePoints(document, selection, pointer, hit.index, bench.snapper)
         if isinstance(hit, SegmentHit):
-            bounds = bench.bounds() if hit.curve == selection.curve else PULL_BOUNDS
-            return PullCurve(document, selection, pointer, hit, bounds)
+            return PullCurve(document, selection, pointer, hit, bench.bounds(hit.curve))
+        box = self._box
+        if isinstance(hit, BoxHit) and box is not None:
+            return Transform(document, selection, pointer.point, hit, box)
         if isinstance(hit, JointHit | MiddleHit):
-            return SlideJoint(document, selection, pointer, hit, bench.bounds())
+            return SlideJoint(document, selection, pointer, hit, bench.bounds(selection.curve))
         return Marquee(selection, pointer)
 
     def key(self, keys: Keys) -> bool:
@@ -161,4 +186,5 @@ class SelectTool:
         return frozenset(ARROWS) if self._bench.selection.points else frozenset()
 
     def leave(self) -> None:
-        """Nothing is unfinished."""
+        """Let go of what is selected: other tools do nothing with it."""
+        self._bench.selection.select(points=(), segments=())

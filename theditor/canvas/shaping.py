@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -71,11 +73,19 @@ class PullCurve:
 
     def _pull(self, before: Curve, plane: Curve, target: Floats, *, nearer: bool) -> tuple[Curve, Floats]:
         pulled = pull(plane, self._u, target, self._bounds, "nearer" if nearer else "both")
-        held = pulled.at_bound
-        names = [f"{indexed('λ', i)} = {number(float(pulled.curve.lambdas[i]))}" for i in held]
-        self.note = f"{listed(names)}: as far as the pull goes" if held else ""
+        self.note = self._bound_note(plane, pulled.curve, pulled.at_bound)
         curve = pulled.curve if plane is before else before.with_(lambdas=pulled.curve.lambdas)
         return curve, target - pulled.residual
+
+    def _bound_note(self, plane: Curve, pulled: Curve, held: tuple[int, ...]) -> str:
+        """What keeps the curve from the pointer, if λ does."""
+        if plane.degree == 2 and self._u == round(self._u):
+            return "λ does not move a quadratic's joint: drag beside it"
+        low, high = self._bounds
+        outside = [i for i in held if not low <= pulled.lambdas[i] <= high]
+        if outside:
+            return f"{values_of(pulled, outside)}: already beyond {number(low)} … {number(high)}"
+        return f"{values_of(pulled, held)}: as far as the pull goes" if held else ""
 
     def _move_points(self, before: Curve, plane: Curve, target: Floats) -> tuple[Curve, Floats]:
         self.note = ""
@@ -103,7 +113,7 @@ class PullCurve:
 class SlideJoint:
     """Drag a cubic's joint along its track, or the middle of a quadratic's segment along its own.
 
-    It is drawn to where T, H and λ* would put it, unless Shift is held.
+    Two λ that differ keep their difference. It is drawn to where T, H and λ* would put it, unless Shift is held.
     """
 
     def __init__(
@@ -122,9 +132,10 @@ class SlideJoint:
         assert item is not None, "what is hit is on the current curve"
         plane = projected(item.curve)
         self._degree = plane.degree
-        self.track = track_of(plane, hit)
         self._indices = shaped_by(plane, hit)
-        self._grip = self.track.position(self.track.current) - press.point
+        self._lambdas = plane.lambdas[self._indices]
+        self._direction = track_of(plane, hit).direction
+        self.note = ""
         self._gesture: Gesture | None = None
         if isinstance(hit, JointHit):
             points = selection.points ^ {hit.point} if press.shift else {hit.point}
@@ -138,22 +149,28 @@ class SlideJoint:
             self._gesture = self._document.begin(
                 "Slide the joint" if self._degree == 3 else "Slide the curve"
             )
-        target = (pointer.point + self._grip).clip(-MAX_COORDINATE, MAX_COORDINATE)
-        lam = self.track.parameter_nearest(target, self._bounds)
-        if not pointer.shift:
-            lam = self._drawn_to(lam, pointer)
+        reach = float(self._direction @ self._direction)
+        asked = float((pointer.point - self._press.point) @ self._direction) / reach if reach > 0 else 0.0
+        low, high = self._bounds
+        least = min(0.0, float((low - self._lambdas).max()))
+        most = max(0.0, float((high - self._lambdas).min()))
+        shift = min(max(asked, least), most)
+        lambdas = self._lambdas + shift
+        if not pointer.shift and (lambdas == lambdas[0]).all():
+            lambdas = np.full(len(lambdas), self._drawn_to(float(lambdas[0]), pointer))
         before, index = self._gesture.before, self._curve
-        curve = before[index].curve.with_lambdas(self._indices, lam)
+        curve = before[index].curve.with_lambdas(self._indices, lambdas)
+        self.note = f"{values_of(curve, self._indices)}: as far as the slide goes" if shift != asked else ""
         self._gesture.preview(before.with_curve(index, curve))
 
     def _drawn_to(self, lam: float, pointer: Pointer) -> float:
         """The λ of a mode where its place is near and far enough from the others' places to tell apart."""
         marks = np.array([0.0, 1.0, INTERPOLATING[self._degree]])
-        away = np.abs(marks - lam) * np.hypot(*self.track.direction) * pointer.plane.scale
-        nearest = int(np.argmin(away))
-        between = np.abs(np.delete(marks, nearest) - marks[nearest]).min()
-        apart = between * float(np.hypot(*self.track.direction)) * pointer.plane.scale
-        return float(marks[nearest]) if away[nearest] < min(MAGNET, apart / 3) else lam
+        scale = float(np.hypot(*self._direction)) * pointer.plane.scale
+        nearest = int(np.argmin(np.abs(marks - lam)))
+        away = abs(float(marks[nearest]) - lam) * scale
+        apart = float(np.abs(np.delete(marks, nearest) - marks[nearest]).min()) * scale
+        return float(marks[nearest]) if away < min(MAGNET, apart / 3) else lam
 
     def release(self, pointer: Pointer) -> None:
         """Commit the slide."""
@@ -180,3 +197,8 @@ def shaped_by(plane: Curve, hit: JointHit | MiddleHit) -> list[int]:
     if isinstance(hit, JointHit):
         return [hit.point]
     return [i for i in plane.lambda_indices(hit.segment) if i is not None]
+
+
+def values_of(curve: Curve, indices: Sequence[int]) -> str:
+    """λ of some control points with their values, in words."""
+    return listed([f"{indexed('λ', i)} = {number(float(curve.lambdas[i]))}" for i in indices])

@@ -28,8 +28,8 @@ class Bench:
     view: PlaneView
     curves: CurvesPainter
     snapper: Snapper
-    bounds: Callable[[], tuple[float, float]]
-    """The bounds of λ for the current curve."""
+    bounds: Callable[[int], tuple[float, float]]
+    """The bounds of λ for a curve of the drawing."""
     say: Callable[[str], None]
     """Tells what happened."""
 

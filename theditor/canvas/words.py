@@ -6,15 +6,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit
+from theditor.canvas.hit_test import BoxHit, Hit, JointHit, MiddleHit, PointHit, SegmentHit, parameter_of
+from theditor.canvas.overlays import guards_of
 from theditor.canvas.points import takes_the_curve
-from theditor.canvas.projection import projected
 from theditor.canvas.shaping import PullCurve, SlideJoint
 from theditor.canvas.tools import Drag, MovePoints
+from theditor.canvas.transform import Transform
 from theditor.drawing import Drawing
 from theditor.model import Selection
-from theditor.model.words import indexed
-from theditor.spline.curvature import curvature
+from theditor.model.words import indexed, number
+from theditor.spline import Curve, curvature, reversed_joints
 
 
 @dataclass(frozen=True)
@@ -35,17 +36,49 @@ def describe(hit: Hit, drawing: Drawing, current: int) -> str:
         height = drawing[current].curve.control_points[hit.index, 2:]
         return f"over control point {indexed('P', hit.index)}" + "".join(f" at z = {z:.4g}" for z in height)
     if isinstance(hit, JointHit):
-        return f"over the joint at {indexed('P', hit.point)}: it slides with {indexed('λ', hit.point)}"
+        curve = drawing[current].curve
+        bend = _bend(curve, parameter_of(hit, current, curve) or 0.0)
+        return (
+            f"over the joint at {indexed('P', hit.point)}, which slides with {indexed('λ', hit.point)}{bend}"
+        )
     if isinstance(hit, MiddleHit):
-        number = hit.segment + drawing[current].curve.first_segment
-        return f"over the middle of segment {number}: it slides with both its λ"
+        curve = drawing[current].curve
+        bend = _bend(curve, hit.segment + 0.5)
+        return f"over the middle of segment {hit.segment + curve.first_segment}, which slides with both its λ{bend}"
     if isinstance(hit, SegmentHit):
         item = drawing[hit.curve]
         of = "" if hit.curve == current else f" of {item.name}"
-        bend = abs(float(curvature(projected(item.curve), hit.segment + hit.t)))
-        radius = f" · radius {1 / bend:.4g}" if 1e-12 < bend < np.inf else ""
-        return f"over segment {hit.segment + item.curve.first_segment}{of} at t = {hit.t:.2f}{radius}"
+        bend = _bend(item.curve, hit.segment + hit.t)
+        return f"over segment {hit.segment + item.curve.first_segment}{of} at t = {hit.t:.2f}{bend}"
     return ""
+
+
+def _bend(curve: Curve, u: float) -> str:
+    """The curvature and its radius at a place, if it bends there."""
+    bend = float(curvature(curve, u))
+    return f" · κ {number(bend)}, radius {1 / abs(bend):.4g}" if 1e-12 < abs(bend) < np.inf else ""
+
+
+def reasons(hit: Hit, current: int, curve: Curve) -> str:
+    """Which promises are not kept at what is under the pointer, and why: for the tooltip."""
+    segments: list[int] = []
+    points: list[int] = []
+    match hit:
+        case SegmentHit(owner, segment, _) if owner == current:
+            segments = [segment]
+        case MiddleHit(segment):
+            segments = [segment]
+        case JointHit(point):
+            joint = round(parameter_of(hit, current, curve) or 0)
+            segments = [s for s in (joint - 1, joint) if 0 <= s < curve.segment_count]
+            points = [point]
+        case PointHit(index):
+            points = [index]
+        case _:
+            return ""
+    told = [guards_of(curve).reason(segment) for segment in segments]
+    told += [joint.reason for joint in reversed_joints(curve) if joint.point in points]
+    return "\n".join(dict.fromkeys(reason for reason in told if reason))
 
 
 def hint(hit: Hit, drag: Drag | None) -> str:
@@ -53,11 +86,16 @@ def hint(hit: Hit, drag: Drag | None) -> str:
     if isinstance(drag, PullCurve):
         return drag.note or "Esc: take it back · Ctrl: the nearer λ alone · Shift: move control points"
     if isinstance(drag, SlideJoint):
-        return "Esc: take it back · Shift: let go of T, H and λ*"
+        return drag.note or "Esc: take it back · Shift: let go of T, H and λ*"
     if isinstance(drag, MovePoints):
         return "Esc: take it back · Ctrl: horizontal or vertical · Shift: no snapping"
+    if isinstance(drag, Transform):
+        turns = "Ctrl: in steps of 15° · Shift: about the opposite corner"
+        return "Esc: take it back · " + (turns if drag.turns else "Ctrl: in proportion · Shift: about the middle")
     if drag is not None:
         return ""
+    if isinstance(hit, BoxHit):
+        return "Drag: turn the selected points" if hit.kind == "turn" else "Drag: scale the selected points"
     if isinstance(hit, PointHit):
         return "Drag: move · Ctrl: horizontal or vertical · Shift+click: add to the selection"
     if isinstance(hit, JointHit | MiddleHit):
