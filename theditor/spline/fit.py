@@ -1,0 +1,204 @@
+"""A curve through a stroke: as few control points as keep it within a tolerance."""
+
+from collections.abc import Callable
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from theditor.spline import strokes
+from theditor.spline.basis import CONVEX_HULL_RANGE, JOINT_SLOPE_ZERO, Floats, check_degree
+from theditor.spline.checks import check_closed, check_ends, clean_points
+from theditor.spline.curve import Curve, Ends
+from theditor.spline.pieces import with_free_ends
+from theditor.spline.refit import Indices, refitted
+
+_MOST: Final = 200  # free control points between two corners
+_TARGETS: Final = 8  # points of the stroke that count, for each control point
+_FEWEST_TARGETS: Final = 64
+_STEPS: Final = 5  # of the least squares
+_BOUNDS: Final = (JOINT_SLOPE_ZERO, CONVEX_HULL_RANGE[3][1])  # λ without cusps and within the hull
+
+
+class _Start(NamedTuple):
+    """Where a fit begins."""
+
+    curve: Curve
+    free: Indices
+    s: Floats  # (n,) lengths along the stroke, of the points that count
+    u: Floats  # (n,) about where the curve is to meet them
+
+
+class Fitted(NamedTuple):
+    """A curve made from points, and how well it fits."""
+
+    curve: Curve
+    deviation: float  # largest distance of a point from the curve, or of the curve from the polyline
+
+
+class _Met(NamedTuple):
+    """A fit, and where the curve meets the stroke's points."""
+
+    fitted: Fitted
+    u: Floats  # (n,)
+
+
+def fit(
+    points: ArrayLike,
+    degree: int = 3,
+    tolerance: float = 1.0,
+    closed: bool = False,
+    ends: Ends = "clamped",
+    shape: bool = True,
+    corners: bool = True,
+) -> Fitted:
+    """Return a curve along a stroke or samples, with as few control points as meet a tolerance.
+
+    The number of control points is found by bisection, each by least squares with parameter correction. The
+    curve of an open stroke begins and ends at its first and last point.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 2) or (n, 3)
+        In order; repeated ones count once.
+    degree : {2, 3}
+    tolerance : float
+        How far the points may be from the curve, and the curve from the polyline through them; positive.
+        Where 200 control points between two corners do not meet it, the closest curve found is returned.
+    closed : bool
+        Whether the stroke runs round.
+    ends : {"free", "clamped"}
+        A curve with free ends is the clamped one with its reflected control points written out.
+    shape : bool
+        Whether λ is fitted too, where that saves control points; otherwise all are 0.
+    corners : bool
+        Whether turns of more than 60° within four tolerances become corners: repeated control points.
+
+    Raises
+    ------
+    ValueError
+        If there are fewer than two different points (three of a closed stroke), or an argument makes no sense.
+    """
+    check_degree(degree)
+    check_closed(closed)
+    check_ends(ends)
+    if not 0 < tolerance < np.inf:
+        raise ValueError(f"tolerance must be a positive number, not {tolerance!r}")
+    stroke = strokes.cleaned(clean_points(points), closed)
+    at = strokes.corners(stroke, tolerance, closed) if corners else []
+    if closed and not at:
+        return _fewest(
+            stroke, lambda count: _ring(stroke, count, degree, tolerance), 3, tolerance, shape
+        ).fitted
+    parts = strokes.parts(stroke, at, closed)
+    last = len(parts) - 1
+    met = [
+        _fit_part(part, degree, tolerance, shape, closed or i > 0, closed or i < last)
+        for i, part in enumerate(parts)
+    ]
+    curve, where = _assembled(met, closed)
+    if ends == "free" and not closed:
+        curve = with_free_ends(curve)
+    # As a whole: a part of the stroke may have come nearer to another part of the curve.
+    return Fitted(curve, strokes.distance(np.concatenate(parts), curve, where))
+
+
+def _fit_part(
+    part: Floats, degree: int, tolerance: float, shape: bool, corner_before: bool, corner_after: bool
+) -> _Met:
+    """Return a clamped curve along a stroke without corners, its first or last point twice at a corner."""
+    least = 1 if degree == 2 and not (corner_before or corner_after) else 0
+
+    s, efforts = strokes.effort(part, tolerance)
+
+    def start(count: int) -> _Start:
+        # The points' places along the stroke, in steps: the second one at a corner is hardly on its way.
+        places = np.arange(count + 2.0)
+        if corner_before:
+            places = np.insert(places, 1, 0.3)
+        if corner_after:
+            places = np.insert(places, -1, places[-1] - 0.3)
+        free = np.arange(1 + corner_before, len(places) - 1 - corner_after)
+        spread = np.interp(places * (efforts[-1] / places[-1]), efforts, s)
+        control = strokes.along(part, spread)
+        control[[0, -1]] = part[[0, -1]]
+        if corner_before:
+            control[1] = control[0]
+        if corner_after:
+            control[-2] = control[-1]
+        curve = Curve(control, 0, degree, ends="clamped")
+        targets = _even(s[-1], count)
+        u = np.interp(targets, spread, np.arange(len(places))) - (degree == 2) / 2
+        return _Start(curve, free, targets, np.clip(u, 0, curve.segment_count))
+
+    return _fewest(part, start, least, tolerance, shape)
+
+
+def _ring(stroke: Floats, count: int, degree: int, tolerance: float) -> _Start:
+    """Return the like for a closed stroke without corners."""
+    line = np.concatenate((stroke, stroke[:1]))
+    s, efforts = strokes.effort(line, tolerance)
+    # A quadratic's segment lies around its point, a cubic's begins at it.
+    shift = (degree == 2) / 2
+    control = strokes.along(line, np.interp((np.arange(count) + shift) / count, efforts, s))
+    targets = _even(s[-1], count)[:-1]
+    u = np.interp(targets, s, efforts) * count
+    return _Start(Curve(control, 0, degree, closed=True), np.arange(count), targets, u)
+
+
+def _even(length: float, count: int) -> Floats:
+    """Return lengths along a stroke, evenly spread, enough to determine that many control points."""
+    return np.linspace(0, length, max(_FEWEST_TARGETS, _TARGETS * (count + 2)) + 1)
+
+
+def _fewest(
+    stroke: Floats, start: Callable[[int], _Start], least: int, tolerance: float, shape: bool
+) -> _Met:
+    """Return the fit with the fewest free control points that meets the tolerance, or the closest one."""
+
+    def attempt(count: int, bent: bool = False) -> _Met:
+        curve, free, s, u = start(count)
+        line = np.concatenate((stroke, stroke[:1])) if curve.closed else stroke
+        if count:
+            targets = strokes.along(line, s)
+            lambdas = free if bent else None
+            curve, u = refitted(curve, targets, u, free, lambdas, steps=_STEPS, bounds=_BOUNDS)
+        where = np.interp(strokes.lengths(line)[: len(stroke)], s, u)
+        return _Met(Fitted(curve, strokes.distance(stroke, curve, where)), where)
+
+    count, too_few, best = least, least - 1, attempt(least)
+    while best.fitted.deviation > tolerance and count < _MOST:
+        too_few, count = count, min(max(2 * count, 1), _MOST)
+        best = min(best, attempt(count), key=lambda met: met.fitted.deviation)
+    if best.fitted.deviation > tolerance:
+        return best
+    while count - too_few > 1:
+        middle = (count + too_few) // 2
+        fewer = attempt(middle)
+        if fewer.fitted.deviation <= tolerance:
+            count, best = middle, fewer
+        else:
+            too_few = middle
+    while shape and count > least:
+        fewer = attempt(count - 1, bent=True)
+        if fewer.fitted.deviation > tolerance:
+            break
+        count, best = count - 1, fewer
+    return best
+
+
+def _assembled(met: list[_Met], closed: bool) -> tuple[Curve, Floats]:
+    """Return one curve of clamped ones, and where it meets their points.
+
+    They meet at corners, each with its own two copies of the point there.
+    """
+    curves = [piece.fitted.curve for piece in met]
+    degree = curves[0].degree
+    shared = 4 - degree
+    first = shared if closed else 0
+    points = [curves[0].control_points[first:], *(piece.control_points[shared:] for piece in curves[1:])]
+    lambdas = [curves[0].lambdas[first:], *(piece.lambdas[shared:] for piece in curves[1:])]
+    whole = Curve(np.concatenate(points), np.concatenate(lambdas), degree, closed, "clamped")
+    begins = np.cumsum([-int(closed), *(piece.segment_count for piece in curves[:-1])])
+    where = np.concatenate([piece.u + begin for piece, begin in zip(met, begins, strict=True)])
+    return whole, where % whole.segment_count if closed else where
