@@ -14,7 +14,16 @@ from PySide6.QtWidgets import QToolTip, QWidget
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.fit import fitted
 from theditor.canvas.freehand import FreehandTool
-from theditor.canvas.hit_test import BoxHit, Hit, JointHit, MiddleHit, PointHit, SegmentHit, exists, parameter_of
+from theditor.canvas.hit_test import (
+    BoxHit,
+    Hit,
+    JointHit,
+    MiddleHit,
+    PointHit,
+    SegmentHit,
+    exists,
+    parameter_of,
+)
 from theditor.canvas.legend import Legend
 from theditor.canvas.pen import PenTool
 from theditor.canvas.picking import key_of

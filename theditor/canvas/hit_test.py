@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,7 +51,16 @@ class MiddleHit:
     segment: int
 
 
-Hit = PointHit | JointHit | MiddleHit | SegmentHit | None
+@dataclass(frozen=True)
+class BoxHit:
+    """A handle of the box around the selected points: to scale or to turn, at a corner or side (−1, 0 or 1)."""
+
+    kind: Literal["scale", "turn"]
+    x: int
+    y: int
+
+
+Hit = BoxHit | PointHit | JointHit | MiddleHit | SegmentHit | None
 
 
 def near_handles(handles: Floats, at: Floats, reach: float = REACH) -> list[int]:
@@ -119,6 +129,8 @@ def exists(hit: Hit, curve: Curve) -> bool:
             )
         case MiddleHit(segment):
             return curve.degree == 2 and segment < curve.segment_count
+        case BoxHit():
+            return True
         case SegmentHit(_, segment, _):
             return segment < curve.segment_count
         case _:

@@ -42,7 +42,7 @@ class PenTool:
     @property
     def degree(self) -> int:
         """The degree of the curve to come: that of the last one drawn."""
-        return 2 if str(QSettings().value("pen_degree", 3)) == "2" else 3
+        return preferred_degree()
 
     @property
     def hint(self) -> str:
@@ -154,6 +154,11 @@ class PenTool:
             self._end(closed=False)
         self._points.clear()
         self.snapped = None
+
+
+def preferred_degree() -> int:
+    """The degree of the curve last drawn, 3 at first."""
+    return 2 if str(QSettings().value("pen_degree", 3)) == "2" else 3
 
 
 class _Placing:

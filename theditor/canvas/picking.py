@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.hit_test import (
+    BoxHit,
     Hit,
     JointHit,
     MiddleHit,
@@ -63,6 +64,8 @@ def key_of(hit: Hit, current: int) -> Key | None:
     match hit:
         case PointHit(index):
             return "point", current, index
+        case BoxHit(kind, x, y):
+            return kind, x, y
         case JointHit(point):
             return "joint", current, point
         case MiddleHit(segment):
