@@ -68,13 +68,13 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             gap=gap,
         )
 
-    def insert(known: Known, text: str) -> Command:
+    def insert(known: Known) -> Command:
         name = known.name.lower()
         article = "an" if name[0] in "aeiou" else "a"
         return Command(
             f"insert_{name.replace(' ', '_')}",
             "Insert",
-            f"{text}…",
+            f"{known.name}…",
             f"Insert {article} {name}, exact, by its parameters",
             lambda: window.insert(known),
         )
@@ -310,7 +310,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             places=("segment", "curve"),
             gap=True,
         ),
-        *map(insert, KNOWN, _with_mnemonics([known.name for known in KNOWN])),
+        *map(insert, KNOWN),
         *point_commands(window),
         tool("select", "&Select and move", "Select, move and shape with the mouse", ("S", "N"), "Select"),
         tool("pen", "&Pen", "Draw a curve by its control points, one click each", ("B",), "Pen"),
@@ -378,7 +378,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
         shown("circle", "&Osculating circle", "Show the osculating circle at the pointer"),
         shown("hull", "Convex &hull", "Show the convex hull of the selected segments", brief="Hull"),
         shown("guards", "&Warnings", "Mark segments that the convex hull does not bound"),
-        shown("ghost", "G&host", "Show the curve as it was while it is dragged", gap=True),
+        shown("ghost", "Ghost while dragging", "Show the curve as it was while it is dragged", gap=True),
         shown("uniform", "Ordinary &B-spline", "Show the uniform B-spline of the same degree and polygon"),
         shown("legend", "L&egend", "Show which colour means which mode"),
         theme(Theme.SYSTEM, "&System"),
@@ -410,14 +410,3 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
         ),
         Command("about", "Help", "&About theditor", "Version, licence and the paper behind it", window.about),
     )
-
-
-def _with_mnemonics(names: list[str]) -> list[str]:
-    """Mark in each name the first letter that no earlier one has taken."""
-    taken: set[str] = set()
-    marked = []
-    for name in names:
-        place = next(i for i, letter in enumerate(name) if letter.lower() not in taken)
-        taken.add(name[place].lower())
-        marked.append(f"{name[:place]}&{name[place:]}")
-    return marked

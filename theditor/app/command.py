@@ -42,7 +42,8 @@ class Command:
     menu
         Title of the menu it is in; ``"View/Theme"`` is a submenu.
     text, tip
-        A verb phrase for the menu, with its mnemonic, and a sentence for the status line and the tooltip.
+        A verb phrase for the menu, with the mnemonic that suits it best (see `letters`), and a sentence for the
+        status line and the tooltip.
     run
         What it does; a checkable command is also given its new state.
     keys
@@ -84,9 +85,9 @@ def plain(text: str) -> str:
     return text.replace("&&", "\0").replace("&", "").replace("\0", "&").removesuffix("…")
 
 
-def make_action(window: MainWindow, command: Command) -> QAction:
-    """Return the action of a command, with its keys in force."""
-    action = QAction(command.text, window)
+def make_action(window: MainWindow, command: Command, text: str) -> QAction:
+    """Return the action of a command, under a text with its mnemonic and with its keys in force."""
+    action = QAction(text, window)
     action.setObjectName(command.name)
     sequences = [s for key in command.keys for s in _sequences(key)]
     action.setShortcuts(list(dict.fromkeys(sequences)))

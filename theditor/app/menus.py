@@ -9,14 +9,22 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMenu, QToolBar
 
 from theditor.app.command import Command, make_action
+from theditor.app.letters import lettered
 
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
 
+_SUBMENUS = {"File": "r", "View": "tp", "Point": "ad", "Curve": "p"}
+"""Mnemonics of the menus within menus: recent files; theme and panels; align and distribute; pieces."""
+
 
 def build_menus(window: MainWindow) -> dict[str, QAction]:
     """Fill the menu bar and the toolbar; return the actions by the names of their commands."""
-    actions = {command.name: make_action(window, command) for command in window.commands}
+    entries = [(command.text, frozenset({command.menu, *command.places})) for command in window.commands]
+    actions = {
+        command.name: make_action(window, command, text)
+        for command, text in zip(window.commands, lettered(entries, _SUBMENUS), strict=True)
+    }
     menus: dict[str, QMenu] = {}
     for command in window.commands:
         menu = _menu(window, menus, command.menu)
@@ -25,7 +33,10 @@ def build_menus(window: MainWindow) -> dict[str, QAction]:
         menu.addAction(actions[command.name])
     menus["File"].insertMenu(actions["gallery"], _recent_menu(window))
     panels = menus["View"].addMenu("&Panels")
-    for dock in window.findChildren(QDockWidget):
+    docks = window.findChildren(QDockWidget)
+    titles = lettered((dock.windowTitle(), frozenset({""})) for dock in docks)
+    for dock, title in zip(docks, titles, strict=True):
+        dock.toggleViewAction().setText(title)
         panels.addAction(dock.toggleViewAction())
     buttons = [(command, actions[command.name]) for command in window.commands if command.brief]
     window.addToolBar(_toolbar(buttons))
