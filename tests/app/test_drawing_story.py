@@ -37,14 +37,29 @@ def test_the_pen_is_taken_up_by_its_key_and_put_away_by_escape(window, hand, qtb
 
 def test_tools_stand_first_on_the_toolbar_and_change_at_a_click(window, qtbot):
     toolbar = window.findChild(QToolBar)
-    first = [a.iconText() for a in toolbar.actions()[:2]]
-    assert first == ["Select", "Pen"]
+    first = [a.iconText() for a in toolbar.actions()[:3]]
+    assert first == ["Select", "Pen", "Freehand"]
     qtbot.mouseClick(toolbar.widgetForAction(action(window, "tool_pen")), Qt.MouseButton.LeftButton)
     assert window.canvas.viewport().cursor().shape() != Qt.CursorShape.SizeAllCursor
     assert action(window, "tool_pen").isChecked()
     window.canvas.setFocus()
     qtbot.keyClick(window.canvas, Key.Key_S)
     assert action(window, "tool_select").isChecked()
+
+
+def test_a_stroke_with_a_free_hand_becomes_a_curve(window, hand, qtbot):
+    window.canvas.setFocus()
+    qtbot.keyClick(window.canvas, Key.Key_P)
+    assert action(window, "tool_freehand").isChecked()
+    x = np.linspace(80.0, 300.0, 40)
+    stroke = window.canvas.plane.to_points(np.stack([x, 200 + 40 * np.sin(x / 40)], axis=1))
+    hand.press(stroke[0])
+    for place in stroke[1:]:
+        hand.move(place)
+    hand.release(stroke[-1])
+    assert len(window.document.drawing) == 2
+    assert window.announced.startswith("Drew a curve of ")
+    assert action(window, "undo").text() == "&Undo Draw curve"
 
 
 def test_snapping_is_switched_by_its_key(window, qtbot):

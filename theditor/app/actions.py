@@ -314,6 +314,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
         *point_commands(window),
         tool("select", "&Select and move", "Select, move and shape with the mouse", ("S", "N"), "Select"),
         tool("pen", "&Pen", "Draw a curve by its control points, one click each", ("B",), "Pen"),
+        tool("freehand", "&Freehand", "Draw a stroke, which becomes a curve", ("P",), "Freehand"),
         Command(
             "snap",
             "Tools",

@@ -11,19 +11,11 @@ from PySide6.QtCore import QEvent, QRectF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QResizeEvent
 from PySide6.QtWidgets import QToolTip, QWidget
 
+from theditor.canvas.cursors import cursor_over
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.fit import fitted
 from theditor.canvas.freehand import FreehandTool
-from theditor.canvas.hit_test import (
-    BoxHit,
-    Hit,
-    JointHit,
-    MiddleHit,
-    PointHit,
-    SegmentHit,
-    exists,
-    parameter_of,
-)
+from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, SegmentHit, exists, parameter_of
 from theditor.canvas.legend import Legend
 from theditor.canvas.pen import PenTool
 from theditor.canvas.picking import key_of
@@ -33,7 +25,6 @@ from theditor.canvas.shaping import PullCurve, shaped_by
 from theditor.canvas.snapping import Snapper
 from theditor.canvas.tool import Bench, Keys, Tool
 from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pan, Pointer
-from theditor.canvas.transform import cursor_for
 from theditor.canvas.view import PlaneView
 from theditor.canvas.viewport import Floats
 from theditor.canvas.words import Pointed, describe, hint, reasons, warning
@@ -250,20 +241,8 @@ class Canvas(PlaneView):
         self._tell()
 
     def _set_cursor(self) -> None:
-        shape = Qt.CursorShape.ArrowCursor
-        if self._space:
-            shape = Qt.CursorShape.OpenHandCursor
-        elif self._tool.cursor is not None:
-            shape = self._tool.cursor
-        elif isinstance(self._hit, BoxHit):
-            shape = cursor_for(self._hit)
-        elif isinstance(self._hit, PointHit):
-            shape = Qt.CursorShape.SizeAllCursor
-        elif isinstance(self._hit, JointHit | MiddleHit):
-            shape = Qt.CursorShape.CrossCursor
-        elif isinstance(self._hit, SegmentHit):
-            shape = Qt.CursorShape.PointingHandCursor
-        self.viewport().setCursor(shape)
+        shape = self._tool.cursor or cursor_over(self._hit)
+        self.viewport().setCursor(Qt.CursorShape.OpenHandCursor if self._space else shape)
 
     def _tell(self) -> None:
         plane = self.plane

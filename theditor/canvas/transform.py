@@ -70,15 +70,6 @@ def handles(box: Box, kind: Literal["scale", "turn"]) -> list[tuple[int, int]]:
     return [sides for sides in _SIDES if all(size[axis] > 0 for axis in (0, 1) if sides[axis])]
 
 
-def cursor_for(hit: BoxHit) -> Qt.CursorShape:
-    """The pointer's shape over a handle."""
-    if hit.kind == "turn":
-        return Qt.CursorShape.PointingHandCursor
-    if hit.x and hit.y:
-        return Qt.CursorShape.SizeBDiagCursor if hit.x == hit.y else Qt.CursorShape.SizeFDiagCursor
-    return Qt.CursorShape.SizeHorCursor if hit.x else Qt.CursorShape.SizeVerCursor
-
-
 def paint_box(painter: QPainter, box: Box, plane: Viewport, colours: Colours) -> None:
     """Paint the box with its handles: squares to scale, rings to turn."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
