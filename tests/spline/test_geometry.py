@@ -85,7 +85,7 @@ def test_a_closed_curves_seam_is_its_start():
 def test_the_bounds_hold_and_are_touched(curve):
     low, high = bounds(curve)
     samples = curve.sample(300)
-    noise = 4e-15 * scale(curve)
+    noise = 1e-12 * scale(curve)  # the accuracy
     assert (samples >= low - noise).all()
     assert (samples <= high + noise).all()
     sag = 24 * scale(curve) / (8 * 300**2)  # no arc between two samples rises higher
