@@ -290,7 +290,7 @@ def test_an_error_while_painting_or_resizing_is_told_and_the_window_lives_on(
         broken.setattr("theditor.canvas.picture.paint_grid", lambda *_: ()[0])  # an error raised in C
         broken.setattr("theditor.canvas.canvas.fitted", lambda *_: int("no number"))
         window.canvas.grab()
-        window.resize(window.width() - 10, window.height())
+        window.resize(window.width() + 10, window.height())
         window.canvas.grab()
     assert set(told) == {IndexError, ValueError}
     hand.drag(P5, (1.4, 2.0))
