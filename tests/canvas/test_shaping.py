@@ -246,7 +246,7 @@ def test_tracks_show_where_the_modes_put_a_joint(canvas, hand):
 def test_marks_nearer_than_a_hand_can_tell_become_one(canvas):
     track = joint_track(curve(canvas), 2)
     small, large = (Viewport(*track.origin, scale, 800.0, 600.0) for scale in (10.0, 5000.0))
-    assert [letters for _, letters in marks(3, track, small)][0].startswith("T H")
+    assert next(letters for _, letters in marks(3, track, small)).startswith("T H")
     assert [letters for _, letters in marks(3, track, large)] == ["T", "H", "λ*"]
 
 
