@@ -1,5 +1,6 @@
 """Preferences are in force as soon as they are changed, and kept."""
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QPalette
@@ -8,7 +9,7 @@ from PySide6.QtWidgets import QApplication
 from theditor.app.preferences import Preferences
 from theditor.model import DARK
 
-KEYS = ("theme", "nudge", "pen_degree")
+KEYS = ("theme", "nudge", "pen_degree", "freehand_tolerance")
 
 
 def forget():
@@ -84,3 +85,25 @@ def test_settings_that_make_no_sense_are_passed_over(ask):
     dialog = ask()
     assert (dialog.theme.currentText(), dialog.nudge.value()) == ("As the system", 0.0)
     assert dialog.degree.currentText() == "Cubic · C²"
+    assert dialog.tolerance.value() == 2.0
+
+
+def test_the_freehand_tool_stays_as_near_as_chosen_and_no_nearer(window, ask, qtbot, hand):
+    t = np.linspace(0.0, 1.0, 60)
+    stroke = np.c_[-3.4 + 2.4 * t, 1.0 + 0.4 * np.sin(18 * t)]
+    misses = []
+    for tolerance in ("0.5", "10"):
+        dialog = ask()
+        dialog.tolerance.setFocus()
+        dialog.tolerance.selectAll()
+        qtbot.keyClicks(dialog.tolerance, tolerance)
+        qtbot.keyClick(dialog.tolerance, Qt.Key.Key_Tab)
+        dialog.reject()
+        window.actions_by_name["tool_freehand"].trigger()
+        hand.press(stroke[0])
+        for point in stroke[1:]:
+            hand.move(point)
+        hand.release(stroke[-1])
+        misses.append(float(window.announced.partition("at most ")[2].partition(" px")[0]))
+        window.document.undo()
+    assert misses[0] <= 0.5 < misses[1] <= 10.0
