@@ -1,6 +1,7 @@
 """Strokes as given: cleaned polylines, their corners, and how far a curve is from one."""
 
 from itertools import pairwise
+from math import dist
 from typing import Final
 
 import numpy as np
@@ -67,8 +68,33 @@ def corners(points: Floats, tolerance: float, closed: bool) -> list[int]:
     """Return which points of a stroke are corners, ascending; the ends of an open one are none.
 
     At a corner the stroke turns by more than 60° between four tolerances before it and four after, and more
-    than at any other point so near.
+    than at any other point so near. Points closer together than a quarter of the tolerance tell no direction.
     """
+    kept = _thinned(points, tolerance / 4)
+    return sorted({_tip(points, kept, i) for i in _sharp(points[kept], tolerance, closed)})
+
+
+def _thinned(points: Floats, least: float) -> list[int]:
+    """Return which points of a stroke to keep for none to be closer to the one before than that."""
+    rows = points.tolist()
+    kept = [0]
+    for index, row in enumerate(rows):
+        if dist(row, rows[kept[-1]]) >= least:
+            kept.append(index)
+    return kept
+
+
+def _tip(points: Floats, kept: list[int], index: int) -> int:
+    """Return the point of a stroke around a kept one that lies farthest from the kept ones on either side."""
+    count = len(points)
+    start, end = kept[index - 1], kept[(index + 1) % len(kept)]
+    around = np.arange(start, end if end > start else end + count) % count
+    reach = np.linalg.norm(points[around] - points[start], axis=1)
+    return int(around[np.argmax(reach + np.linalg.norm(points[around] - points[end], axis=1))])
+
+
+def _sharp(points: Floats, tolerance: float, closed: bool) -> list[int]:
+    """Return which points of a stroke are corners, in no order."""
     arm = _ARM * tolerance
     # A closed stroke goes round three times, of which the second counts.
     line = np.concatenate((points, points, points, points[:1])) if closed else points
@@ -89,7 +115,7 @@ def corners(points: Floats, tolerance: float, closed: bool) -> list[int]:
             gaps = [min(gap, s[len(points)] - gap) for gap in gaps]
         if all(gap > 2 * arm for gap in gaps):
             found.append(index)
-    return sorted(index % len(points) for index in found)
+    return [index % len(points) for index in found]
 
 
 def distance(points: Floats, curve: Curve, u: Floats) -> float:
