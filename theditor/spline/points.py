@@ -32,9 +32,9 @@ def insert(curve: Curve, u: float) -> Edited:
     """Return the curve with one control point more, its shape changed least.
 
     The new point lies between the two control points whose edge is the nearest to the place by its
-    parameter. It and three control points on either side are refitted; points farther away stay, so do the ends, and
-    every λ but the new one, which is the mean of its neighbours' unless another value at least halves the
-    change of shape.
+    parameter. It and three control points on either side are refitted; points farther away stay, and so do
+    the ends and every other λ. The new λ is the mean of its neighbours', a quadratic's that of the edge
+    divided, unless another value at least halves the change of shape.
 
     Parameters
     ----------
