@@ -1,16 +1,15 @@
 import os
 import subprocess
 import sys
-from functools import partial
 from pathlib import Path
 from types import ModuleType
 
 import pytest
 
-from theditor import cli, resources
+from theditor import resources
 from theditor.cli import main
 from theditor.drawing import Drawing, Item, save
-from theditor.spline import JOINT_SLOPE_ZERO, Curve, Mode, continuity, known
+from theditor.spline import JOINT_SLOPE_ZERO, Curve, Mode, basis, continuity, known
 
 GALLERY = resources.resource("gallery")
 FIGURE_10 = GALLERY / "figure-10.json"
@@ -34,23 +33,66 @@ def test_check_says_what_is_in_a_file(capsys, tmp_path):
     save(Drawing(), tmp_path / "none.json")
     assert main(["check", str(FIGURE_10), str(tmp_path / "two.json"), str(tmp_path / "none.json")]) == 0
     lines = capsys.readouterr().out.splitlines(keepends=True)
-    assert "".join(line for line in lines if not line.startswith("    Segment")) == (
+    promise = "as promised within 1e−9 of the size of the terms (largest jump"
+    told = [line for line in lines if not line.lstrip().startswith(("Segment", "Joint", *"0123456789"))]
+    assert "".join(told) == (
         f"{FIGURE_10}: 1 curve\n"
         "  Figure 10: cubic, open with free ends, 13 points, 10 segments; segments 1 trigonometric, 2 blend, "
         "3 interpolating, 4 blend, 5–7 hyperbolic, 8–9 blend, 10 trigonometric\n"
-        "    9 joints, all C² as promised (largest jump 0)\n"
         f"{tmp_path / 'two.json'}: 2 curves\n"
         "  Ring: quadratic, closed, 4 points, 4 segments; all hyperbolic\n"
-        "    4 joints, all C¹ as promised (largest jump 0); the curvature jumps at 2\n"
         "  Strut: cubic, open with clamped ends, in space, 2 points, 1 segment; blend\n"
         "    no joints: the curve is one segment\n"
         f"{tmp_path / 'none.json'}: 0 curves\n"
     )
+    sums = [line.strip() for line in lines if promise in line]
+    assert sums[0].startswith(f"9 joints, all C² {promise}")
+    assert sums[1].startswith(f"4 joints, all C¹ {promise}")
+    assert sums[1].endswith("the curvature jumps at 2")
+
+
+def test_check_measures_every_joint_of_a_short_curve_and_explains_the_remarkable_ones(capsys, tmp_path):
+    points = [[0, 0], [1, 2], [3, -1], [4, 1], [6, 0], [7, 3]]
+    low = Curve(points, [0, -5, 5, -3, 0.97, -5], degree=2)
+    nearly = Curve(points[:4], [0, 0.97, 1, 0])
+    save(Drawing([Item(low), Item(nearly.with_(degree=2))]), tmp_path / "low.json")
+    assert main(["check", str(tmp_path / "low.json")]) == 0
+    lines = [line.strip() for line in capsys.readouterr().out.splitlines()]
+    assert "Segment 1: basis function q₂ is negative near t = 0.35; the convex hull no longer bounds" in str(
+        lines
+    )
+    assert "Segment 1: λ₁ = 0.97: set to 1 to make it a hyperbola arc" in lines
+    titles = lines.index("Joint  Position  Jump of C  of C′  of C″  of κ  Measured  Promised")
+    rows = [line.split() for line in lines[titles + 1 : titles + 4]]
+    assert [row[0] for row in rows] == ["2", "3", "4"]
+    assert [row[1:3] for row in rows] == [["(2,", "0.5)"], ["(3.5,", "0)"], ["(5,", "0.5)"]]
+    assert all(float(row[3].replace("−", "-")) < 1e-15 < float(row[5]) for row in rows)
+    assert [row[7:] for row in rows] == [
+        ["C¹", "G¹", "✓", *end] for end in (["C¹"], ["C¹,", "reversed"], ["C¹"])
+    ]
+    assert lines[titles + 4].startswith("Joint 3 at (3.5, 0)")
+    assert lines[titles + 4].endswith("the velocity reverses at joint 3, which makes a cusp or a loop.")
+    for number, end in zip("₁₅", lines[titles + 5 : titles + 7], strict=True):
+        assert end.startswith(f"λ{number} = −5 is below −2.648…: the velocity at joint")
+
+
+def test_check_sums_up_a_long_curve(capsys, tmp_path):
+    curve = Curve([[i, i % 2] for i in range(103)], -20.0)
+    save(Drawing([Item(curve)]), tmp_path / "long.json")
+    assert main(["check", str(tmp_path / "long.json")]) == 0
+    lines = [line.strip() for line in capsys.readouterr().out.splitlines()]
+    assert "100 segments with a negative basis function: there the convex hull is no bound" in lines
+    assert sum(line.startswith("Joint") for line in lines) == 20
+    assert "… and 79 joints more with a remark" in lines
 
 
 def test_check_names_the_segments_that_are_known_curves(capsys):
     assert main(["check", str(FIGURE_10)]) == 0
-    lines = [line.strip() for line in capsys.readouterr().out.splitlines() if "Segment" in line]
+    lines = [
+        line.strip()
+        for line in capsys.readouterr().out.splitlines()
+        if "Segment" in line and "basis" not in line
+    ]
     assert [line for line in lines if "general" not in line] == [
         "Segment 1: trochoid, prolate, rolling radius 0.63662, arm 1, origin (0, 0.36338), 0°–90°; "
         "(x, y) = (t − sin(πt/2), 1 − cos(πt/2)), t ∈ [0, 1]",
@@ -83,23 +125,33 @@ def test_check_tells_where_a_curve_stands_still_and_that_this_breaks_no_promise(
     curve = Curve([[0, 0], [1, 2], [3, 2], [4, 0]], JOINT_SLOPE_ZERO, degree=2)
     save(Drawing([Item(curve)]), tmp_path / "still.json")
     assert main(["check", str(tmp_path / "still.json")]) == 0
-    certificate, joint = capsys.readouterr().out.splitlines()[2:]
+    joint, *ends, certificate = capsys.readouterr().out.splitlines()[-4:]
     assert certificate.startswith("    1 joint, C¹ as promised")
     assert certificate.endswith("the curve stands still at 1")
     assert joint.startswith("    Joint 2 at (2, 2): C¹; the promised C¹ holds. The curve stands still here")
+    for number, end in zip((1, 3), ends, strict=True):
+        assert end.endswith(
+            f" = −2.648…: the curve stands still at joint {number}, where it is C¹ but not G¹."
+        )
 
 
 def test_check_names_every_joint_that_breaks_its_promise_and_ends_with_1(capsys, tmp_path, monkeypatch):
-    # With no room for rounding, the measured jumps themselves break the promise.
-    monkeypatch.setattr(cli, "continuity", partial(continuity, tolerance=0.0))
-    rounded = Curve([[0.1, 0.2], [1.3, 2.7], [3.1, 2.3], [4.7, 0.6], [5.9, 1.1], [7.3, 0.3]], 0.3)
-    save(Drawing([Item(rounded)]), tmp_path / "rounded.json")
-    broken = [joint for joint in continuity(rounded, tolerance=0.0) if not joint.holds]
-    assert broken, "these points are chosen so that rounding shows"
-    assert main(["check", str(tmp_path / "rounded.json"), str(FIGURE_10)]) == 1
+    def wrong(t, start, end, degree, nu):
+        values = basis(t, start, end, degree, nu)
+        values[start == 3, -1] *= 1 + 1e-6
+        return values
+
+    monkeypatch.setattr(sys.modules[continuity.__module__], "basis", wrong)
+    curve = Curve([[0, 0], [1, 3], [3, 2], [5, 1], [6, 1], [7, 0], [9, 2]], [0, 0, 3, 0, 0, 0, 0])
+    save(Drawing([Item(curve)]), tmp_path / "wrong.json")
+    assert main(["check", str(tmp_path / "wrong.json"), str(FIGURE_10)]) == 1
     out = capsys.readouterr().out
-    assert f"    {len(broken)} of 2 joints" in out
-    assert [line.strip() for line in out.splitlines() if "fails: " in line] == [str(j) for j in broken]
+    assert "    1 of 3 joints fails the promised C² within 1e−9 of the size of the terms" in out
+    (row,) = (line for line in out.splitlines() if line.endswith("✗ C² fails"))
+    assert row.split()[0] == "3"
+    (joint,) = (line for line in out.splitlines() if "fails: " in line)
+    assert joint.startswith("    Joint 3 at (")
+    assert "the promised C² fails: the position jumps by" in joint
 
 
 def test_check_says_what_is_wrong_and_goes_on(capsys, tmp_path):

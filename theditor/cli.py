@@ -7,13 +7,21 @@ import os
 import sys
 from collections import Counter
 from collections.abc import Sequence
-from itertools import groupby
+from itertools import groupby, islice
 from pathlib import Path
 
 from theditor.drawing import DrawingError, Item, load, shown
 from theditor.resources import version
-from theditor.spline import Curve, Mode, continuity, recognise_segments
-from theditor.spline.certificate import remarkable, summary
+from theditor.spline import (
+    Curve,
+    Mode,
+    continuity,
+    missing,
+    negative_basis,
+    recognise_segments,
+    reversed_joints,
+)
+from theditor.spline.certificate import joints, remarkable, summary, table
 
 _DEBIAN_PACKAGES = (
     "libgl1 libegl1 libxkbcommon0 libdbus-1-3 libfontconfig1 libglib2.0-0 fonts-dejavu-core "
@@ -21,7 +29,7 @@ _DEBIAN_PACKAGES = (
     "libxcb-render-util0 libxcb-shape0 libxcb-shm0 libxcb-sync1 libxcb-xfixes0 libxcb-xkb1"
 )
 _CLOSED_PIPE = 141  # 128 + SIGPIPE, as a shell reports it
-_MOST_RUNS = 20
+_MOST_LINES = 20  # about the parts of one curve; of longer ones they are counted
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -100,31 +108,52 @@ def _check(arguments: Sequence[str]) -> int:
             print(f"{shown(path)}: {_count(len(drawing), 'curve')}")
             for item in drawing:
                 print(f"  {_described(item)}")
-                for line in _recognised(item.curve):
+                for line in _segments(item.curve):
                     print(f"    {line}")
                 code |= _certify(item.curve)
     return code
 
 
-def _recognised(curve: Curve) -> list[str]:
-    """Name each segment that is a known curve, with its equation; of a long curve, count the names."""
-    found = recognise_segments(curve)
-    if len(found) > _MOST_RUNS:
+def _segments(curve: Curve) -> list[str]:
+    """Name each segment that is a known curve or nearly one, or has a negative basis function.
+
+    Of a long curve, count the names and the negative ones.
+    """
+    found, guards = recognise_segments(curve), negative_basis(curve)
+    if len(found) > _MOST_LINES:
         counts = Counter(each.name for each in found if each is not None)
-        return [", ".join(f"{count} × {name}" for name, count in counts.items())] if counts else []
-    return [
-        f"Segment {number}: {each.description}; {each.equation}"
-        for number, each in enumerate(found, curve.first_segment)
-        if each is not None
-    ]
+        lines = [", ".join(f"{count} × {name}" for name, count in counts.items())] if counts else []
+        if negative := len(set(guards.segments.tolist())):
+            where = _count(negative, "segment")
+            lines.append(f"{where} with a negative basis function: there the convex hull is no bound")
+        return lines
+    lines = []
+    for segment, each in enumerate(found):
+        name = f"Segment {segment + curve.first_segment}"
+        if each is not None:
+            lines.append(f"{name}: {each.description}; {each.equation}")
+        elif hint := missing(curve, segment):
+            lines.append(f"{name}: {hint.text}")
+        if reason := guards.reason(segment):
+            lines.append(f"{name}: {reason}")
+    return lines
 
 
 def _certify(curve: Curve) -> int:
-    """Print how smoothly segments meet, joints that call for a remark one by one; return 1 if a promise fails."""
+    """Print how smoothly segments meet, of a long curve only where there is a remark; return 1 if a promise fails."""
     report = continuity(curve)
-    print(f"    {summary(report)}")
-    for joint in remarkable(report):
+    if 0 < len(report) <= _MOST_LINES:
+        for line in table(report):
+            print(f"    {line}")
+    remarks = remarkable(report)
+    for joint in islice(remarks, _MOST_LINES):
         print(f"    {joint}")
+    if more := sum(1 for _ in remarks):
+        print(f"    … and {joints(more)} more with a remark")
+    for end in reversed_joints(curve):
+        if not curve.closed and end.joint in curve.domain:
+            print(f"    {end.reason}.")
+    print(f"    {summary(report)}")
     return int(not report.holds.all())
 
 
@@ -146,7 +175,7 @@ def _modes(curve: Curve) -> str:
         (mode, [number for number, _ in run])
         for mode, run in groupby(enumerate(curve.modes, curve.first_segment), key=lambda pair: pair[1])
     ]
-    if len(runs) > _MOST_RUNS:
+    if len(runs) > _MOST_LINES:
         counts = ((curve.modes.count(mode), mode.value) for mode in Mode)
         return ", ".join(f"{count} {mode}" for count, mode in counts if count)
     if len(runs) == 1:

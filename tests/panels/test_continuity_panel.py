@@ -76,8 +76,22 @@ def test_a_broken_promise_is_seen(panel, document, monkeypatch):
     monkeypatch.setattr(module, "continuity", partial(continuity, tolerance=0.0))
     points = [[-2.1, 7.0], [1.0, -9.3], [5.2, 4.5], [6.8, -6.5], [-8.2, 7.1], [-9.5, 0.8]]
     document.start(Drawing([Item(Curve(points, [0.6, 2.1, -2.7, -1.5, 5.0, 4.8]))]))
-    assert panel.heading.text().startswith("1 of 2 joints fails the promised C²")
-    assert [cell(panel, row, PROMISED) for row in (0, 1)] == ["✓ C²", "✗ C² fails"]
+    assert panel.heading.text().startswith("2 of 2 joints fail the promised C² within 0 of the size")
+    assert [cell(panel, row, PROMISED) for row in (0, 1)] == ["✗ C² fails"] * 2
+
+
+def test_what_a_low_lambda_does_is_noted_under_the_joints_own_number(panel, document):
+    document.start(Drawing([Item(some_curve([0, 0, -5, 0, 0], degree=2))]))
+    assert cell(panel, 0, NUMBER) == "2"
+    assert cell(panel, 0, PROMISED) == "✓ C¹, reversed"
+    assert "λ₂ = −5 is below −2.648…: the velocity reverses at joint 2" in cell(panel, 0, PROMISED, TIP)
+    assert "as promised within 1e−9 of the size of the terms" in panel.heading.text()
+
+
+def test_the_position_takes_the_room_that_is_left(panel):
+    header = panel.table.horizontalHeader()
+    assert header.sectionSize(POSITION) > panel.table.fontMetrics().horizontalAdvance("(−1234567, −1234567)")
+    assert header.length() == panel.table.viewport().width()
 
 
 def test_a_click_selects_what_shapes_the_joint_and_shows_it(panel, hand, selection, qtbot):

@@ -183,7 +183,7 @@ def test_tips_say_what_happens_at_a_joint_of_a_low_parameter(strip, document):
     document.apply_curve("Change λ", 0, document.drawing[0].curve.with_lambdas(6, -3.0))
     assert strip.tip(6).split("\n") == [
         "λ₆ = −3 · blend",
-        "λ₆ = −3 is below −2.648…: the second derivative at joint 5 is reversed, which adds inflections",
+        "λ₆ = −3 is below −2.648…: the second derivative at joint 6 is reversed, which adds inflections",
     ]
 
 

@@ -1,10 +1,13 @@
+import sys
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from spline_strategies import curves
+from spline_strategies import curves, scale
 
-from theditor.spline import JOINT_SLOPE_ZERO, Curve, continuity, curvature, known
+from theditor.spline import JOINT_SLOPE_ZERO, Curve, basis, continuity, curvature, known
+from theditor.spline.certificate import remarkable, summary, table
 
 ZIGZAG = [(0, 0), (1, 2), (3, -1), (4, 1), (6, 0)]
 
@@ -25,14 +28,35 @@ def test_the_promise_holds_whatever_points_and_lambdas(curve):
 @given(curves())
 def test_jumps_are_those_of_the_curve_and_its_curvature(curve):
     reports = continuity(curve)
+    at, sides = reports.joint, ("left", "right")
+    size = scale(curve) * (1 + np.abs(curve.lambdas).max())
     for nu in range(3):
-        jump = curve(reports.joint, nu) - curve(reports.joint, nu, "left")
-        np.testing.assert_allclose(reports.jumps[:, nu], np.linalg.norm(jump, axis=-1), rtol=1e-12)
-    np.testing.assert_array_equal(reports.curvature_left, curvature(curve, reports.joint, "left"))
-    np.testing.assert_array_equal(reports.curvature_right, curvature(curve, reports.joint))
+        jump = curve(at, nu) - curve(at, nu, "left")
+        np.testing.assert_allclose(reports.jumps[:, nu], np.linalg.norm(jump, axis=-1), atol=1e-13 * size)
+    for side, measured in zip(sides, (reports.curvature_left, reports.curvature_right), strict=True):
+        own, speed = curvature(curve, at, side), np.linalg.norm(curve(at, 1, side), axis=-1)
+        np.testing.assert_array_equal(np.isnan(measured), np.isnan(own))
+        clear = speed > 1e-3 * size
+        slack = 1e-12 * size / speed[clear] ** 2
+        assert (np.abs(measured - own)[clear] <= slack).all()
     if curve.dimension == 2:
         jump = reports.curvature_right - reports.curvature_left
         np.testing.assert_array_equal(reports.curvature_jump, jump)
+
+
+@pytest.mark.parametrize("degree", [2, 3])
+def test_a_wrong_basis_function_is_found_at_every_joint(degree, monkeypatch):
+    # As in a published misprint: one hyperbolic term a little off.
+    def wrong(t, start, end, degree, nu):
+        values = basis(t, start, end, degree, nu)
+        values[..., -1] *= 1 + 1e-6
+        return values
+
+    monkeypatch.setattr(sys.modules[continuity.__module__], "basis", wrong)
+    for closed in (False, True):
+        report = continuity(Curve(ZIGZAG, 0.7, degree, closed))
+        assert not report.holds.any()
+        assert "fails: the" in str(report[0])
 
 
 @given(curves(low=-2, high=9), st.floats(0.01, 100))
@@ -100,6 +124,23 @@ def test_a_tolerance_below_rounding_is_not_met_and_the_sentence_says_by_how_much
     assert not reports.holds.all()
     broken = next(report for report in reports if not report.holds)
     assert "the promised C² fails: the first derivative jumps by" in str(broken)
+    assert next(remarkable(reports)).holds is False
+
+
+def test_a_joint_has_one_number_and_its_report_says_what_a_low_lambda_does_there():
+    report = continuity(Curve(ZIGZAG, [0, 0, -5, 0, 0], 2))
+    assert "λ₂ = −5 is below −2.648…: the velocity reverses at joint 2" in str(report[0])
+    assert report[0].number == 2
+    assert [joint.number for joint in remarkable(report)] == [2]
+    titles, first, second = table(report)
+    assert titles.split()[:2] == ["Joint", "Position"]
+    assert first.split()[0] == "2"
+    assert first.endswith("✓ C¹, reversed")
+    assert second.endswith("✓ C¹")
+
+
+def test_the_summary_states_the_tolerance():
+    assert "as promised within 1e−6 of the size of the terms" in summary(continuity(Curve(ZIGZAG), 1e-6))
 
 
 def test_numbers_follow_the_points_whose_lambda_it_is():

@@ -150,18 +150,18 @@ def test_what_happens_at_a_reversed_joint_is_said():
 
     below, at = [0, 0, -5, 0, 0, 0], [0, 0, JOINT_SLOPE_ZERO, 0, 0, 0]
     assert reasons(below, 2) == [
-        "λ₂ = −5 is below −2.648…: the velocity reverses at joint 1, which makes a cusp or a loop"
+        "λ₂ = −5 is below −2.648…: the velocity reverses at joint 2, which makes a cusp or a loop"
     ]
     assert reasons(below, 3) == [
-        "λ₂ = −5 is below −2.648…: the second derivative at joint 1 is reversed, which adds inflections"
+        "λ₂ = −5 is below −2.648…: the second derivative at joint 2 is reversed, which adds inflections"
     ]
-    assert reasons(at, 2) == ["λ₂ = −2.648…: the curve stands still at joint 1, where it is C¹ but not G¹"]
+    assert reasons(at, 2) == ["λ₂ = −2.648…: the curve stands still at joint 2, where it is C¹ but not G¹"]
     assert reasons(at, 3) == [
-        "λ₂ = −2.648…: the second derivative vanishes at joint 1, where the curve has no curvature"
+        "λ₂ = −2.648…: the second derivative vanishes at joint 2, where the curve has no curvature"
     ]
     assert reasons([0, -5, 0, 0, 0, -5], 2) == [
         f"λ{name} = −5 is below −2.648…: the velocity at joint {joint}, an end of the curve, is reversed"
-        for name, joint in (("₁", 0), ("₅", 4))
+        for name, joint in (("₁", 1), ("₅", 5))
     ]
     assert reasons(-2.6, 3) == []
     even = Curve(np.outer(range(6), (0.1, 0.7)), -5.0)

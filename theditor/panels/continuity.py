@@ -17,7 +17,8 @@ EMPTY = "There is no curve yet."
 MOST_LIVE = 5000
 """Longer curves, in segments, are measured when the hand lets go of them."""
 _ROW_HEIGHT = 24
-_WIDTHS = (50, 116, 80, 58, 58, 58, 80, 76)
+_WIDTHS = (50, 116, 80, 58, 58, 58, 80, 96)
+_POSITION = 1  # takes the room that is left, for its text has no fixed length
 _TIP = "Every joint, measured from both sides. Select one to select what shapes it and see it on the canvas."
 
 
@@ -152,9 +153,10 @@ def _table(model: ContinuityModel) -> QTableView:
     rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
     rows.setDefaultSectionSize(_ROW_HEIGHT)
     columns.setHighlightSections(False)
-    columns.setStretchLastSection(True)
     for column, width in enumerate(_WIDTHS):
         table.setColumnWidth(column, width)
+    columns.setSectionResizeMode(_POSITION, QHeaderView.ResizeMode.Stretch)
+    columns.setMinimumSectionSize(min(_WIDTHS))
     describe(table, "Joints", _TIP)
     return table
 

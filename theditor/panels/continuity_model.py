@@ -2,54 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 
-from theditor.model.words import number
-from theditor.spline import Continuity, JointReport
+from theditor.spline import Continuity
+from theditor.spline.certificate import COLUMNS
 
 ModelIndex = QModelIndex | QPersistentModelIndex
 NO_INDEX = QModelIndex()
-
-_ORDERS = "⁰¹²"
-
-
-def _order(kind: str, order: int) -> str:
-    return f"{kind}{_ORDERS[order]}" if order >= 0 else "—"
-
-
-def _jump(order: int) -> Callable[[JointReport], str]:
-    return lambda joint: small(joint.relative_jumps[order])
-
-
-def _verdict(joint: JointReport) -> str:
-    return f"{_order('C', joint.order)} {_order('G', joint.geometric_order)}"
-
-
-def _promise(joint: JointReport) -> str:
-    promised = _order("C", joint.promised)
-    if not joint.holds:
-        return f"✗ {promised} fails"
-    return f"✓ {promised}" + (", still" if joint.note else "")
-
-
-def _curvature(joint: JointReport) -> str:
-    # At a joint without velocity there is no curvature that could jump.
-    return small(abs(joint.curvature_jump)) if joint.curvature_jump == joint.curvature_jump else "—"
-
-
-COLUMNS: tuple[tuple[str, str, Callable[[JointReport], str]], ...] = (
-    ("Joint", "Its number: that of its λ", lambda joint: str(joint.number)),
-    ("Position", "Where it is", lambda joint: f"({', '.join(number(x) for x in joint.position)})"),
-    ("Jump of C", "Jump of the position, relative to the size of what it is made of", _jump(0)),
-    ("of C′", "Jump of the first derivative, relative to the size of what it is made of", _jump(1)),
-    ("of C″", "Jump of the second derivative, relative to the size of what it is made of", _jump(2)),
-    ("of κ", "Jump of the curvature, in 1 / unit", _curvature),
-    ("Measured", "How smooth it is: by its derivatives (C) and as a shape (G)", _verdict),
-    ("Promised", "What the theory promises, and whether that holds", _promise),
-)
-"""Title, explanation, and the text for a joint."""
 
 
 class ContinuityModel(QAbstractTableModel):
@@ -100,8 +59,3 @@ class ContinuityModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             return str(self.report[index.row()])
         return None
-
-
-def small(size: float) -> str:
-    """Write a jump with two digits: 0, 3.1e−16, 0.25."""
-    return f"{size:.2g}".replace("-", "−")

@@ -1,19 +1,22 @@
 """How smoothly segments meet: measured at every joint, beside what the theory promises."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, Literal
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from theditor.spline import joints
-from theditor.spline.basis import JOINT_SLOPE_ZERO, Floats
-from theditor.spline.curvature import curvature, stands_still
+from theditor.spline.basis import JOINT_SLOPE_ZERO, Floats, basis
+from theditor.spline.curvature import stands_still
 from theditor.spline.curve import Curve
-from theditor.spline.turns import speed_scale
+from theditor.spline.guards import reversed_joints
+from theditor.spline.turns import cross, speed_scale
 
 _ORDERS: Final = {-1: "not even continuous", 0: "⁰", 1: "¹", 2: "²"}
+_SIDES: Final[tuple[Literal["left", "right"], ...]] = ("left", "right")
 _MEASURED: Final = ("position", "first derivative", "second derivative")
 
 
@@ -33,13 +36,14 @@ class JointReport:
     curvature_jump: float  # right − left; in space the length of the curvature vectors' difference
     promised: int  # n of the Cⁿ that the theory promises
     holds: bool
-    note: str  # why the curve stands still here, or nothing
+    still: bool  # the curve has no velocity here
+    note: str  # why it stands still, or what a λ below −2.648… does here; or nothing
 
     def __str__(self) -> str:
         """Return a sentence or two in plain words."""
         place = ", ".join(_number(x) for x in self.position)
         parts = [f"Joint {self.number} at ({place}): {_order('C', self.order)}"]
-        if self.order >= 0 and not self.note:
+        if self.order >= 0 and not self.still:
             parts[0] += f" and {_order('G', self.geometric_order)}"
         promise = f"the promised {_order('C', self.promised)}"
         if self.holds:
@@ -48,7 +52,7 @@ class JointReport:
             broken = self.order + 1
             size = _number(self.relative_jumps[broken])
             parts[0] += f"; {promise} fails: the {_MEASURED[broken]} jumps by {size} of its size"
-        if not self.note and self.geometric_order < 2:
+        if not self.still and self.geometric_order < 2:
             parts[0] += "; the curvature jumps "
             if len(self.position) == 2:
                 parts[0] += f"from {_number(self.curvature_left)} to {_number(self.curvature_right)}"
@@ -73,6 +77,7 @@ class Continuity:
     curvature_jump: Floats  # (k,)
     still: NDArray[np.bool_]  # (k,) no velocity
     stopped_by_lambda: NDArray[np.bool_]  # (k,) because of λ, not because control points coincide
+    reversals: Mapping[int, str]  # by joint, what a λ at or below −2.648… does there
     promised: int
     tolerance: float
 
@@ -103,12 +108,13 @@ class Continuity:
             float(self.curvature_jump[row]),
             self.promised,
             bool(self.order[row] >= self.promised),
+            bool(self.still[row]),
             self._note(row),
         )
 
     def _note(self, row: int) -> str:
         if not self.still[row]:
-            return ""
+            return self.reversals.get(int(self.joint[row]), "")
         if self.stopped_by_lambda[row]:
             why = f"its λ is {_number(round(JOINT_SLOPE_ZERO, 3))}…"
         elif self.promised == 1:
@@ -148,29 +154,31 @@ def continuity(curve: Curve, tolerance: float = 1e-9) -> Continuity:
         raise ValueError(f"tolerance must be a number of at least 0, not {tolerance!r}")
     at = np.arange(0 if curve.closed else 1, curve.segment_count)
     number = (at + curve.first_segment) % len(curve.control_points)
-    left = [curve(at, nu, "left") for nu in range(3)]
-    right = [curve(at, nu) for nu in range(3)]
+    left, right = _sides(curve, at)
     jumps = np.stack([_length(b - a) for a, b in zip(left, right, strict=True)], axis=-1)
     before = joints.take_segments(curve, (at - 1) % curve.segment_count)
     scale = np.maximum(speed_scale(before), speed_scale(joints.take_segments(curve, at)))
     sizes = np.stack((np.maximum(scale, np.abs(right[0]).max(axis=-1, initial=0)), scale, scale), axis=-1)
     agree = jumps <= tolerance * sizes
-    still = stands_still(curve, at, "left") | stands_still(curve, at)
+    still = np.logical_or(*(stands_still(curve, at, name) for name in _SIDES))
     speed = np.minimum(_length(left[1]), _length(right[1]))
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         tangents, curvatures = zip(
             *(_tangent_and_curvature(*side[1:]) for side in (left, right)), strict=True
         )
         turned, bent = _length(tangents[1] - tangents[0]), _length(curvatures[1] - curvatures[0])
+        kappa = [
+            np.where(stands_still(curve, at, name), np.nan, _signed(tangent, bend))
+            for name, tangent, bend in zip(_SIDES, tangents, curvatures, strict=True)
+        ]
         g1 = ~still & (turned <= tolerance * scale / speed)
         g2 = bent <= tolerance * np.maximum(scale / speed**2, _length(curvatures[1]))
-    kappa = curvature(curve, at, "left"), curvature(curve, at)
     # A cubic's velocity does not depend on λ.
     by_lambda = (curve.degree == 2) & (np.abs(curve.lambdas[number] - JOINT_SLOPE_ZERO) < 1e-12)
     return Continuity(
         joint=at,
         number=number,
-        position=right[0],
+        position=curve(at),
         jumps=jumps,
         relative_jumps=np.divide(jumps, sizes, out=np.zeros_like(jumps), where=sizes > 0),
         order=_leading(agree),
@@ -180,9 +188,42 @@ def continuity(curve: Curve, tolerance: float = 1e-9) -> Continuity:
         curvature_jump=kappa[1] - kappa[0] if curve.dimension == 2 else np.where(still, np.nan, bent),
         still=still,
         stopped_by_lambda=by_lambda,
+        reversals={each.joint: each.reason for each in reversed_joints(curve)},
         promised=curve.degree - 1,
         tolerance=tolerance,
     )
+
+
+def _sides(curve: Curve, at: NDArray[np.intp]) -> tuple[list[Floats], list[Floats]]:
+    """Return position, first and second derivative just before and just after joints, (k, d) each.
+
+    By the definition, basis functions times control points: evaluation takes a form in which both sides of a
+    joint are one and the same sum, which could show no jump.
+    """
+    points, count = curve.control_points, len(curve.control_points)
+    if curve.closed:
+        points = points[np.arange(-1, count + curve.degree - 1) % count]
+    elif curve.ends == "clamped":
+        first, last = 2 * points[:1] - points[1:2], 2 * points[-1:] - points[-2:-1]
+        points = np.concatenate((first, points[1:-1] if curve.degree == 2 else points, last))
+    defining = sliding_window_view(points, curve.degree + 1, axis=0)
+    # A clamped cubic has no use for the λ at its ends.
+    lambdas = np.where(curve.active_lambdas, curve.lambdas, 0.0)
+
+    def side(segments: NDArray[np.intp], t: float) -> list[Floats]:
+        own = defining[segments]
+        # The weights of derivatives sum to 0: edges give the same, with less rounding far from the origin.
+        polygons = own, own - own[..., 1:2], own - own[..., 1:2]
+        start, end = (lambdas[(segments + curve.first_segment + step) % count] for step in (0, 1))
+        weights = (basis(t, start, end, curve.degree, nu) for nu in range(3))
+        return [np.einsum("kj,kdj->kd", *pair) for pair in zip(weights, polygons, strict=True)]
+
+    return side((at - 1) % curve.segment_count, 1.0), side(at, 0.0)
+
+
+def _signed(tangent: Floats, bend: Floats) -> Floats:
+    """Return the curvature, signed in the plane, for unit tangents and curvature vectors, (k, d) each."""
+    return cross(tangent.T, bend.T) if tangent.shape[1] == 2 else _length(bend)
 
 
 def _tangent_and_curvature(velocity: Floats, bend: Floats) -> tuple[Floats, Floats]:

@@ -46,8 +46,8 @@ class Guards:
 class ReversedJoint(NamedTuple):
     """A joint whose λ is not above the λ of slope zero."""
 
-    point: int  # the control point whose λ it is
-    joint: int
+    point: int  # the control point whose λ it is; its number is the joint's in words
+    joint: int  # its u
     reason: str  # what happens there
 
 
@@ -89,7 +89,7 @@ def reversed_joints(curve: Curve) -> tuple[ReversedJoint, ...]:
     found = np.flatnonzero(bent & curve.active_lambdas[points] & (lambdas <= JOINT_SLOPE_ZERO))
     last = None if curve.closed else curve.segment_count
     return tuple(
-        ReversedJoint(point, joint, _what_happens(curve.degree, point, joint, lam, joint in (0, last)))
+        ReversedJoint(point, joint, _what_happens(curve.degree, point, lam, joint in (0, last)))
         for point, joint, lam in zip(
             points[found].tolist(), found.tolist(), lambdas[found].tolist(), strict=True
         )
@@ -165,13 +165,14 @@ def _largest(start: Floats, end: Floats) -> Floats:
     return np.maximum(1.0, np.maximum(np.abs(start), np.abs(end)))
 
 
-def _what_happens(degree: int, point: int, joint: int, lam: float, at_end: bool) -> str:
+def _what_happens(degree: int, joint: int, lam: float, at_end: bool) -> str:
+    # Joints are called by the number of their λ everywhere.
     if lam == JOINT_SLOPE_ZERO:
-        name = f"λ{_subscript(point)} = −2.648…"
+        name = f"λ{_subscript(joint)} = −2.648…"
         if degree == 2:
             return f"{name}: the curve stands still at joint {joint}, where it is C¹ but not G¹"
         return f"{name}: the second derivative vanishes at joint {joint}, where the curve has no curvature"
-    name = f"λ{_subscript(point)} = {lam:g}".replace("-", "−") + " is below −2.648…"
+    name = f"λ{_subscript(joint)} = {lam:g}".replace("-", "−") + " is below −2.648…"
     if degree == 3:
         return f"{name}: the second derivative at joint {joint} is reversed, which adds inflections"
     if at_end:
