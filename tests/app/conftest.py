@@ -2,6 +2,7 @@
 
 import pytest
 from hand import Hand
+from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from theditor.app.main_window import MainWindow
@@ -20,6 +21,7 @@ def window(qtbot, monkeypatch):
     app.setOrganizationName("theditor-tests")
     app.setApplicationName("theditor-tests")
     app.setStyle("Fusion")
+    QSettings().clear()  # nothing is left of other windows
     apply_theme(Theme.LIGHT)
     window = MainWindow()
     qtbot.addWidget(window, before_close_func=leave_unasked)

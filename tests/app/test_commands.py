@@ -2,7 +2,7 @@
 
 import pytest
 from hand import Hand
-from PySide6.QtCore import QPoint, QSettings, Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent, QKeySequence
 from PySide6.QtWidgets import QApplication, QDialog, QMenu, QMessageBox
 
@@ -63,7 +63,6 @@ def test_every_command_can_be_done_when_it_says_so(window, nobody_asks, name):
             window.document.undo_stack.setIndex(0)
             expected = Drawing() if command.name == "new" else DRAWINGS[name]
             assert window.document.drawing == expected, command.name
-    QSettings().clear()
     assert {"add", "fit", "palette", "shortcuts", "about"} <= done
     assert ("reverse" in done) == (name != "empty")
     assert ("move_down" in done) == (name == "many curves")
