@@ -156,6 +156,16 @@ def test_a_formula_gives_the_active_parameters_and_its_faults_bar_ok(window, ask
     assert np.array_equal(lambdas(window), shown)
 
 
+def test_a_formula_need_not_hold_where_no_parameter_is_asked_for(window, ask, qtbot):
+    dialog = ask("formula")
+    text = dialog.findChild(QLineEdit)
+    type_into(qtbot, text, "1/i")  # λ₀ shapes nothing
+    assert dialog.sentence.text() == ""
+    assert lambdas(window)[1:4] == pytest.approx([1, 1 / 2, 1 / 3])
+    type_into(qtbot, text, "1/(i-1)")
+    assert dialog.sentence.text().startswith("At i = 1 the formula gives no finite λ")
+
+
 def test_a_bad_number_an_escape_and_an_undo_stay_within_the_field(window, ask, qtbot):
     window.actions_by_name["reverse"].trigger()
     dialog = ask("gradient")

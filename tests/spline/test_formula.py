@@ -122,3 +122,12 @@ def test_without_current_values_a_formula_may_not_use_them():
     with pytest.raises(FormulaError, match="“λ” at character 5 has no value here: use i and n"):
         evaluate("i + λ", 3)
     assert evaluate("i", 0).shape == (0,)
+
+
+def test_only_the_wanted_control_points_are_judged():
+    np.testing.assert_array_equal(evaluate("1/i + λ", N, CURRENT, [1, 4]), [-2, 1.25])
+    np.testing.assert_array_equal(evaluate("2", N, indices=[6, 3]), [2, 2])
+    with pytest.raises(FormulaError, match="at i = 3 the formula gives no finite λ"):
+        evaluate("1/(i - 3)", N, CURRENT, [2, 3])
+    with pytest.raises(ValueError, match="there is no control point 7"):
+        evaluate("i", N, indices=[7])

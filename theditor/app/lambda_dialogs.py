@@ -75,7 +75,7 @@ def formula_dialog(document: Document, selection: Selection, window: QWidget) ->
     text.selectAll()
 
     def change(curve: Curve) -> Curve:
-        return curve.with_lambdas(targets, formula.evaluate(text.text(), count, curve.lambdas)[targets])
+        return curve.with_lambdas(targets, formula.evaluate(text.text(), count, curve.lambdas, targets))
 
     dialog = _dialog(
         (document, selection, window),

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from theditor.spline.basis import Floats
-from theditor.spline.checks import MAX_LAMBDA, clean_values
+from theditor.spline.checks import MAX_LAMBDA, clean_indices, clean_values
 
 _LONGEST: Final = 500  # characters
 _DEEPEST: Final = 100  # operations within one another, as in a sum of so many terms
@@ -64,8 +64,10 @@ class FormulaError(ValueError):
     """A formula that cannot be used; the message says where and what to do."""
 
 
-def evaluate(text: str, count: int, values: ArrayLike | None = None) -> Floats:
-    """Return the value of a formula at each control point.
+def evaluate(
+    text: str, count: int, values: ArrayLike | None = None, indices: ArrayLike | None = None
+) -> Floats:
+    """Return the value of a formula at each control point, or at some.
 
     A formula consists of numbers, the index i from 0, the number n of control points, the current value λ
     (also written l), pi, e, the operators + − * / % **, comparisons (1 where true, 0 where false),
@@ -81,31 +83,36 @@ def evaluate(text: str, count: int, values: ArrayLike | None = None) -> Floats:
         The number of control points.
     values : array_like, shape (count,), optional
         The current λ; without them a formula may not use λ.
+    indices : array_like of int, shape (k,), optional
+        The control points wanted; what the formula gives elsewhere, such as 1/i at 0, is not judged.
 
     Returns
     -------
-    ndarray, shape (count,)
+    ndarray, shape (count,), or (k,) with `indices`
         Finite and at most `MAX_LAMBDA` in size.
 
     Raises
     ------
     FormulaError
         If the text is no such formula, or a value is not acceptable as λ. The message names the place.
+    ValueError
+        If there is no such control point, or the number of current λ is not `count`.
     """
-    known: dict[str, Any] = {"i": np.arange(count, dtype=np.float64), "n": float(count)}
+    wanted = np.arange(count) if indices is None else clean_indices(indices, count, "control point")
+    known: dict[str, Any] = {"i": wanted.astype(np.float64), "n": float(count)}
     known |= {"pi": np.pi, "e": np.e}
     if values is not None:
-        known["λ"] = known["l"] = clean_values(values, "the current λ", (count,))
+        known["λ"] = known["l"] = clean_values(values, "the current λ", (count,))[wanted]
     source = _clean(text)
     with np.errstate(all="ignore"):  # what is not finite is refused below, or a condition does not choose it
         result = _Formula(source, known).value(_parsed(source))
-    results: Floats = np.array(np.broadcast_to(result, (count,)), dtype=np.float64) + 0.0  # no −0.0
+    results: Floats = np.array(np.broadcast_to(result, wanted.shape), dtype=np.float64) + 0.0  # no −0.0
     bad = np.flatnonzero(~(np.abs(results) <= MAX_LAMBDA))
     if len(bad):
         value = float(results[bad[0]])
         what = f"λ = {value:g}" if np.isfinite(value) else "no finite λ"
         raise FormulaError(
-            f"at i = {bad[0]} the formula gives {what}: change it so that every λ is at most "
+            f"at i = {wanted[bad[0]]} the formula gives {what}: change it so that every λ is at most "
             f"{MAX_LAMBDA:g} in size"
         )
     return results
