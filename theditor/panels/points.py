@@ -42,7 +42,8 @@ _TIP = (
     "Control points and λ of the current curve. Type over a number, or F2 to edit it: arithmetic as in 2/3 and "
     "changes such as +1.5 or *2 are worked out; cells are copied to and pasted from spreadsheets."
 )
-_COPY, _PASTE = QKeySequence.StandardKey.Copy, QKeySequence.StandardKey.Paste
+_STANDARD = QKeySequence.StandardKey
+_CUT, _COPY, _PASTE = _STANDARD.Cut, _STANDARD.Copy, _STANDARD.Paste
 
 
 @unbreakable
@@ -74,7 +75,7 @@ class PointsView(QTableView):
         describe(self, "Control points", _TIP)
 
     def event(self, event: QEvent) -> bool:
-        """Keep the keys for copying and pasting from the commands of the window."""
+        """Keep the keys of the clipboard from the commands of the window, which are for whole curves."""
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride and _is_ours(event):
             event.accept()
             return True
@@ -84,6 +85,8 @@ class PointsView(QTableView):
         """Copy and paste blocks of cells."""
         if event.matches(_COPY):
             self.copy()
+        elif event.matches(_CUT):
+            self.cut()
         elif event.matches(_PASTE):
             self.paste()
         else:
@@ -94,6 +97,10 @@ class PointsView(QTableView):
         text = self._table.copy(self._cells())
         if text:
             QGuiApplication.clipboard().setText(text)
+
+    def cut(self) -> None:
+        """Say that cells are copied, not cut: a curve has no empty cells."""
+        self._table.announce.emit("Cells cannot be cut: copy them, or delete points on the canvas.")
 
     def paste(self) -> None:
         """Paste text into the selected cells, from their first one on."""
@@ -119,7 +126,7 @@ class PointsView(QTableView):
 
 
 def _is_ours(event: QKeyEvent) -> bool:
-    return event.matches(_COPY) or event.matches(_PASTE)
+    return any(event.matches(key) for key in (_CUT, _COPY, _PASTE))
 
 
 class _Titles(QHeaderView):

@@ -1,0 +1,161 @@
+"""Cut, copy and paste of curves: as a drawing, as its text, and as a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QMimeData
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QAbstractSpinBox, QLineEdit
+
+from theditor.app.svg import svg
+from theditor.canvas import Pointed
+from theditor.canvas.projection import moved, projected
+from theditor.drawing import Drawing, DrawingError, Item, decode, encode
+from theditor.model import words
+from theditor.model.number_table import points_in
+from theditor.panels.points import PointsView
+from theditor.spline import Curve
+
+if TYPE_CHECKING:
+    from theditor.app.main_window import MainWindow
+
+OWN_TYPE = "application/vnd.theditor+json"
+SVG_TYPE = "image/svg+xml"
+_WHAT = "copy a curve, a drawing's text (JSON), or a table of numbers with columns x, y and perhaps z"
+
+
+class Clipboard:
+    """Carries curves of one window to and from the clipboard; a field with the focus keeps its own text commands."""
+
+    def __init__(self, window: MainWindow) -> None:
+        self._window = window
+        self._pointer: tuple[float, float] | None = None
+        window.canvas.pointed.connect(self._point)
+
+    def copy(self) -> None:
+        """Copy the current curve, whole whatever is selected on it."""
+        field, item = self._field(), self._window.selection.item
+        if field is not None:
+            field.copy()
+        elif item is not None:
+            self._window.document.settle()
+            QGuiApplication.clipboard().setMimeData(carried([item], self._window.canvas.plane.scale))
+            self._window.announce(f"Copied “{item.name}”: paste it here, as text, or into a drawing program.")
+
+    def cut(self) -> None:
+        """Copy the current curve and delete it."""
+        window, field = self._window, self._field()
+        if field is not None:
+            field.cut()
+            return
+        item = window.selection.item
+        if item is None:
+            return
+        if item.locked:
+            window.announce(words.locked_reason(item.name))
+            return
+        self.copy()
+        window.document.apply("Cut curve", window.document.drawing.without(window.selection.curve))
+        window.announce(f"Cut “{item.name}”.")
+
+    def paste(self) -> None:
+        """Paste curves with their middle at the pointer, or in the middle of the view if it is elsewhere."""
+        plane = self._window.canvas.plane
+        self._paste(self._pointer or (plane.x, plane.y))
+
+    def paste_in_place(self) -> None:
+        """Paste curves where they were copied from."""
+        self._paste(None)
+
+    def _paste(self, middle: tuple[float, float] | None) -> None:
+        window, field = self._window, self._field()
+        if field is not None:
+            field.paste()
+            return
+        try:
+            items = pasted(QGuiApplication.clipboard().mimeData())
+            if middle is not None:
+                items = _moved_to(items, middle)
+        except ValueError as error:
+            window.announce(str(error))
+            return
+        window.document.settle()
+        drawing = window.document.drawing
+        what = "curve" if len(items) == 1 else words.counted(len(items), "curve")
+        window.document.apply(f"Paste {what}", Drawing([*drawing, *items]))
+        window.selection.select(curve=len(drawing), points=(), segments=())
+        named = f"“{items[0].name}”" if len(items) == 1 else what
+        window.announce(f"Pasted {named}.")
+
+    def _field(self) -> QLineEdit | PointsView | None:
+        """Return what has the focus, if it deals in text."""
+        widget = self._window.focusWidget()
+        if isinstance(widget, QAbstractSpinBox):
+            widget = widget.lineEdit()
+        return widget if isinstance(widget, QLineEdit | PointsView) else None
+
+    def _point(self, pointed: Pointed) -> None:
+        self._pointer = pointed.position
+
+
+def carried(items: Sequence[Item], scale: float) -> QMimeData:
+    """Return curves as the clipboard carries them: the drawing's file, the same as text, and a picture.
+
+    Parameters
+    ----------
+    scale
+        Pixels of the picture per unit.
+    """
+    data = QMimeData()
+    text = encode(Drawing(items))
+    data.setData(OWN_TYPE, text)
+    data.setData(SVG_TYPE, svg(items, scale))
+    data.setText(text.decode())
+    return data
+
+
+def pasted(data: QMimeData) -> list[Item]:
+    """Return the curves that the clipboard carries, visible and unlocked; a table of numbers makes one.
+
+    Raises
+    ------
+    ValueError
+        There is none; the message is a sentence that says why and what can be pasted.
+    """
+    text = bytes(data.data(OWN_TYPE).data()) or data.text().strip().encode(errors="replace")
+    if not text.startswith(b"{"):
+        return [_from_table(text.decode())]
+    try:
+        items = list(decode(text))
+    except DrawingError as error:
+        raise ValueError(f"What was copied is no drawing: {error}") from None
+    if not items:
+        raise ValueError(f"The drawing that was copied has no curves: {_WHAT}.")
+    return [item.with_(visible=True, locked=False) for item in items]
+
+
+def _from_table(text: str) -> Item:
+    try:
+        points = points_in(text)
+    except ValueError as error:
+        raise ValueError(f"What was copied cannot be pasted, as {error}: {_WHAT}.") from None
+    try:
+        return Item(Curve(points, ends="clamped"), "Pasted points")
+    except ValueError as error:
+        raise ValueError(f"The table that was copied makes no curve: {error}.") from None
+
+
+def _moved_to(items: Sequence[Item], middle: tuple[float, float]) -> list[Item]:
+    """Return curves moved together, so that the middle of all their control points' box lies at a place."""
+    corners = np.concatenate([projected(item.curve).control_points for item in items])
+    offset = np.array(middle) - (corners.min(axis=0) + corners.max(axis=0)) / 2
+    try:
+        return [
+            item.with_(curve=item.curve.with_(control_points=moved(item.curve.control_points, offset)))
+            for item in items
+        ]
+    except ValueError as error:
+        raise ValueError(f"The curves do not fit there: {error}.") from None
