@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -76,7 +77,7 @@ class Clipboard:
             field.paste()
             return
         try:
-            items = pasted(QGuiApplication.clipboard().mimeData())
+            items = pasted(QGuiApplication.clipboard().mimeData() or QMimeData())  # None when empty
             if middle is not None:
                 items = _moved_to(items, middle)
         except ValueError as error:
@@ -99,6 +100,13 @@ class Clipboard:
 
     def _point(self, pointed: Pointed) -> None:
         self._pointer = pointed.position
+
+
+@atexit.register
+def _let_go() -> None:
+    """Take what is ours off the clipboard: Qt would delete it after Python has ended, and crash."""
+    if QGuiApplication.instance() is not None and QGuiApplication.clipboard().ownsClipboard():
+        QGuiApplication.clipboard().clear()
 
 
 def carried(items: Sequence[Item], scale: float) -> QMimeData:
