@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialogButtonBox
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QApplication, QDialogButtonBox
 
 from theditor.app.insert_dialog import InsertDialog
 from theditor.spline import KNOWN, known, recognise
@@ -24,6 +25,7 @@ def insert(window):
 
 def type_into(qtbot, dialog, keyword, *texts):
     for entry, text in zip(dialog.fields[keyword], texts, strict=True):
+        entry.setFocus()
         entry.selectAll()
         qtbot.keyClicks(entry, text)
 
@@ -79,25 +81,45 @@ def test_cancel_leaves_no_trace(window, insert, qtbot):
 @pytest.mark.parametrize(
     ("name", "keyword", "text", "sentence"),
     [
-        ("trochoid", "radius", "wide", "Rolling radius: “wide” is no number; type one such as 1.5."),
-        ("trochoid", "radius", "inf", "Rolling radius: “inf” is no number; type one such as 1.5."),
-        ("trochoid", "arm", "-1", "Arm must be positive, not -1.0."),
+        (
+            "trochoid",
+            "radius",
+            "wide",
+            "Rolling radius: “wide” is no number up to 1e12 in size; type one such as",
+        ),
+        (
+            "trochoid",
+            "radius",
+            "inf",
+            "Rolling radius: “inf” is no number up to 1e12 in size",
+        ),
+        (
+            "trochoid",
+            "origin",
+            "1e13",
+            "Origin x: “1e13” is no number up to 1e12 in size",
+        ),
+        ("trochoid", "arm", "-1", "Arm: type a positive number, at least 1e−12."),
+        ("trochoid", "arm", "1e-320", "Arm: type a positive number, at least 1e−12."),
+        ("cycloid", "radius", "1e12", "The curve would reach beyond 1e+12: make it shorter, smaller"),
         ("trochoid", "quarters", "2.5", "Quarter turns: type a whole number from 1 to 10000."),
         ("trochoid", "quarters", "0", "Quarter turns: type a whole number from 1 to 10000."),
         ("hyperbola", "start", "40", "The curve would reach beyond 1e+12"),
-        ("catenary", "parameter", "0", "Parameter must not be zero"),
+        ("catenary", "parameter", "0", "Parameter a: type a number other than 0, at least 1e−12 in size."),
+        ("exponential_curve", "length", "-1e-320", "Length L of growth by e: type a number other than 0"),
     ],
 )
 def test_bad_values_say_why_and_bar_ok(window, insert, qtbot, name, keyword, text, sentence):
     dialog = insert(name)
     good = window.document.drawing
     old = dialog.fields[keyword][0].text()
-    type_into(qtbot, dialog, keyword, text)
+    others = [field.text() for field in dialog.fields[keyword][1:]]
+    type_into(qtbot, dialog, keyword, text, *others)
     assert dialog.sentence.text().startswith(sentence)
     assert not dialog.buttons.button(OK).isEnabled()
     qtbot.keyClick(dialog.fields[keyword][0], KEY.Key_Return)
     assert dialog.isVisible()
-    type_into(qtbot, dialog, keyword, old)
+    type_into(qtbot, dialog, keyword, old, *others)
     assert dialog.sentence.text() == ""
     assert window.document.drawing == good
     press(qtbot, dialog, OK)
@@ -111,9 +133,20 @@ def test_arrow_keys_step_numbers(window, insert, qtbot):
     assert dialog.fields["quarters"][0].text() == "5"
     assert window.document.drawing[1].curve.segment_count == 5
     assert dialog.fields["rotation"][0].text() == "-15"
-    dialog.fields["rotation"][0].setText("−30")  # a pasted number may have a true minus sign
+    dialog.fields["rotation"][0].selectAll()
+    QApplication.clipboard().setText("−30")  # a pasted number may have a true minus sign
+    qtbot.keySequence(dialog.fields["rotation"][0], QKeySequence.StandardKey.Paste)
     assert recognise(window.document.drawing[1].curve, 0).parameters["rotation"] == pytest.approx(-np.pi / 6)
     press(qtbot, dialog, CANCEL)
+
+
+def test_numbers_may_be_worked_out(window, insert, qtbot):
+    dialog = insert("ellipse")
+    type_into(qtbot, dialog, "semi_axes", "1/2", "(1+2)/4")
+    expected = known.ellipse(tuple(field.value() for field in dialog.fields["centre"]), (0.5, 0.75))
+    assert window.document.drawing[1].curve == expected
+    press(qtbot, dialog, OK)
+    assert window.document.drawing[1].curve == expected
 
 
 @pytest.mark.parametrize("each", KNOWN, ids=lambda each: each.name)

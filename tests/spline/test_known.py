@@ -113,6 +113,13 @@ def test_general_chains_take_any_coefficients_in_plane_and_space():
         (lambda: known.hyperbola(semi_axes=(-1, 1)), "semi-axes must be positive"),
         (lambda: known.ellipse(semi_axes=3.0), "semi-axes must be 2 numbers"),
         (lambda: known.ellipse(centre=(0, math.nan)), "centre must be finite"),
+        (
+            lambda: known.ellipse(semi_axes=np.array([1, -1])),
+            "semi-axes must be positive, not 1, −1: give at",
+        ),
+        (lambda: known.ellipse(semi_axes=(1e-320, 1)), "semi-axes must be positive"),
+        (lambda: known.catenary(parameter=-1e-320), "parameter must not be zero"),
+        (lambda: known.cycloid(radius=1e12), "the curve would reach beyond 1e\\+12"),
         (lambda: known.ellipse(degree=4), "degree must be 2 or 3"),
         (lambda: known.sine(amplitude=0), "amplitude must not be zero"),
         (lambda: known.sine(wavelength=-4), "wavelength must be positive"),

@@ -6,16 +6,16 @@ import math
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeyEvent, QWheelEvent
-from PySide6.QtWidgets import QLineEdit, QWidget
+from PySide6.QtWidgets import QWidget
 
 from theditor.app.preview_dialog import PreviewDialog
 from theditor.canvas.viewport import Viewport
 from theditor.drawing import Drawing, Item
 from theditor.model import Document, Selection, words
-from theditor.panels.parts import ComboBox, tabular
+from theditor.panels.live_inputs import LiveField
+from theditor.panels.parts import ComboBox
 from theditor.spline import MAX_COORDINATE, Known, Parameter
+from theditor.spline.catalogue import SMALLEST
 
 _SHARE = 0.4
 """How much of the view a new curve takes."""
@@ -45,15 +45,15 @@ class InsertDialog(PreviewDialog):
         self._formerly = selection.curve, selection.points, selection.segments
         self._place = len(document.drawing)
         self._name = _free_name(known.name, document.drawing)
-        self.fields: dict[str, tuple[NumberEntry, ...]] = {}
+        self.fields: dict[str, tuple[LiveField, ...]] = {}
         start = fitting_values(known, plane)
         for parameter in known.parameters:
             values = start[parameter.keyword]
-            entries = tuple(NumberEntry(value, _step(parameter, plane), self) for value in values)
+            entries = tuple(_number_field(value, _step(parameter, plane), self) for value in values)
             for label, entry in zip(parameter.labels, entries, strict=True):
                 entry.setAccessibleName(label)
                 shown = f"{label} (°)" if parameter.unit == "radians" else label
-                self.add_field(shown, entry, entry.textChanged)
+                self.add_field(shown, entry, entry.edited)
             self.fields[parameter.keyword] = entries
         self.degree = ComboBox(self)
         if len(known.degrees) > 1:
@@ -85,57 +85,47 @@ class InsertDialog(PreviewDialog):
 
     def _value(self, parameter: Parameter) -> float | int | tuple[float, ...]:
         """Return what the fields of a parameter say, as the function that makes the curve takes it."""
-        numbers = []
-        for label, entry in zip(parameter.labels, self.fields[parameter.keyword], strict=True):
-            number = entry.number()
-            if number is None:
-                raise ValueError(f"{label}: “{entry.text()}” is no number; type one such as 1.5.")
-            numbers.append(number)
+        fields = self.fields[parameter.keyword]
+        numbers = [_judged(parameter, *each) for each in zip(parameter.labels, fields, strict=True)]
         if parameter.integer:
-            (number,), low, high = numbers, int(parameter.minimum), int(parameter.maximum)
-            if number != round(number) or not low <= number <= high:
-                raise ValueError(f"{parameter.labels[0]}: type a whole number from {low} to {high}.")
-            return round(number)
+            return round(numbers[0])
         if parameter.unit == "radians":
             numbers = [math.radians(number) for number in numbers]
         return numbers[0] if len(numbers) == 1 else tuple(numbers)
 
 
-class NumberEntry(QLineEdit):
-    """A line for a number, with decimal point or comma; arrow keys and wheel change it by a step."""
+def _judged(parameter: Parameter, label: str, field: LiveField) -> float:
+    """Return the number in a field, or say what the parameter needs."""
+    name = label.partition(" (")[0]
+    try:
+        number = field.number()
+    except ValueError:
+        limit = f"up to {MAX_COORDINATE:.0e} in size".replace("+", "")
+        reason = f"{name}: “{field.text()}” is no number {limit}; type one such as 1.5 or 2/3."
+        raise ValueError(reason) from None
+    if parameter.integer:
+        if number != round(number) or not parameter.minimum <= number <= parameter.maximum:
+            raise ValueError(
+                f"{name}: type a whole number from {parameter.minimum:.0f} to {parameter.maximum:.0f}."
+            )
+    elif number < parameter.minimum:
+        raise ValueError(f"{name}: type a positive number, at least {words.number(parameter.minimum)}.")
+    elif parameter.nonzero and abs(number) < SMALLEST:
+        raise ValueError(f"{name}: type a number other than 0, at least {words.number(SMALLEST)} in size.")
+    return number
 
-    def __init__(self, value: float, step: float, parent: QWidget | None = None) -> None:
-        super().__init__(words.exact(value), parent)
-        self._step = step
-        self.setFont(tabular(self.font()))
 
-    def number(self) -> float | None:
-        """Return the number that the text means, None if it means none."""
-        try:
-            number = float(self.text().strip().replace(",", ".").replace("−", "-"))
-        except ValueError:
-            return None
-        return number if math.isfinite(number) else None
+def _number_field(value: float, step: float, parent: QWidget) -> LiveField:
+    """Return a field for a number, which arrow keys and wheel change by a step."""
+    field = LiveField(-MAX_COORDINATE, MAX_COORDINATE, parent)
+    field.show_value(value)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Step by the arrow keys."""
-        steps = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}.get(Qt.Key(event.key()))
-        if steps is None:
-            super().keyPressEvent(event)
-        else:
-            self._change(steps)
+    def change(steps: int) -> None:
+        field.show_value(_rounded(field.value() + steps * step))
+        field.edited.emit()
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Step by the wheel, while the line has the focus."""
-        if self.hasFocus() and event.angleDelta().y():
-            self._change(1 if event.angleDelta().y() > 0 else -1)
-        else:
-            event.ignore()
-
-    def _change(self, steps: int) -> None:
-        number = self.number()
-        if number is not None:
-            self.setText(words.exact(_rounded(number + steps * self._step)))
+    field.stepped.connect(change)
+    return field
 
 
 def fitting_values(known: Known, plane: Viewport) -> dict[str, tuple[float, ...]]:

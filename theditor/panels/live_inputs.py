@@ -36,7 +36,6 @@ class LiveField(NumberField):
 
     def __init__(self, minimum: float, maximum: float, parent: QWidget | None = None) -> None:
         super().__init__(minimum, maximum, parent)
-        self.setFixedWidth(_FIELD_WIDTH)
         self.lineEdit().textEdited.connect(self.edited)
         self.entered.connect(self.edited)
         # Queued, so that the Enter that ends a bad text does not also accept the dialog with the old one.
@@ -74,6 +73,7 @@ class LambdaInput(QWidget):
         super().__init__(parent)
         self._degree, self._pressed = degree, value
         self.field, self.slider = LiveField(-MAX_LAMBDA, MAX_LAMBDA), LambdaSlider()
+        self.field.setFixedWidth(_FIELD_WIDTH)
         describe(self.field, f"{name}, exact", f"{name}: any number; arrow keys step")
         describe(self.slider, f"{name}, slider", f"{name}: T, H and λ* attract it unless Shift is held")
         self.setFocusProxy(self.field)
@@ -118,6 +118,7 @@ class StrengthInput(QWidget):
     def __init__(self, value: float, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.field, self.slider = LiveField(0.0, 1.0), QSlider(Qt.Orientation.Horizontal)
+        self.field.setFixedWidth(_FIELD_WIDTH)
         self.slider.setRange(0, _PERCENT)
         self.slider.setStyleSheet(_SLIDER_STYLE)
         describe(self.field, "Strength, exact", "Strength, from 0 to 1; arrow keys step")

@@ -9,6 +9,9 @@ from theditor.spline import known
 from theditor.spline.chains import MAX_SEGMENTS
 from theditor.spline.curve import Curve
 
+SMALLEST: Final = 1e-12
+"""The least size worth offering: less is hardly seen beside any coordinate."""
+
 
 @dataclass(frozen=True)
 class Parameter:
@@ -22,6 +25,8 @@ class Parameter:
     """The least value worth offering; the function itself may take less."""
     maximum: float = inf
     integer: bool = False
+    nonzero: bool = False
+    """Of either sign, but at least `SMALLEST` in size."""
     unit: Literal["", "radians", "quarter turns", "units"] = ""
     """What it is counted in; show radians as degrees. Lengths have no unit."""
 
@@ -37,15 +42,13 @@ class Known:
     degrees: tuple[int, ...] = (3,)
 
 
-_SMALLEST = 1e-6
-
 _CENTRE = Parameter("centre", ("Centre x", "Centre y"), (0.0, 0.0))
 _ORIGIN = Parameter("origin", ("Origin x", "Origin y"), (0.0, 0.0))
 _ROTATION = Parameter("rotation", ("Rotation",), 0.0, unit="radians")
 
 
 def _positive(keyword: str, label: str, default: float) -> Parameter:
-    return Parameter(keyword, (label,), default, _SMALLEST)
+    return Parameter(keyword, (label,), default, SMALLEST)
 
 
 def _angle(label: str) -> Parameter:
@@ -53,14 +56,14 @@ def _angle(label: str) -> Parameter:
 
 
 def _quarters(label: str, default: int) -> Parameter:
-    return Parameter("quarters", (label,), default, 1, MAX_SEGMENTS, True, "quarter turns")
+    return Parameter("quarters", (label,), default, 1, MAX_SEGMENTS, True, unit="quarter turns")
 
 
 def _reach(start: float, units: int) -> tuple[Parameter, Parameter]:
     return (
         Parameter("start", ("Start at τ",), start, unit="units"),
         Parameter(
-            "units", ("Length in τ",), units, 1, 50, True, "units"
+            "units", ("Length in τ",), units, 1, 50, True, unit="units"
         ),  # exp 50 is far beyond any coordinate
     )
 
@@ -71,7 +74,7 @@ KNOWN: Final[tuple[Known, ...]] = (
         known.ellipse,
         (
             _CENTRE,
-            Parameter("semi_axes", ("Semi-axis a", "Semi-axis b"), (2.0, 1.0), _SMALLEST),
+            Parameter("semi_axes", ("Semi-axis a", "Semi-axis b"), (2.0, 1.0), SMALLEST),
             _ROTATION,
             _angle("Start at eccentric angle"),
             _quarters("Quarters (4: closed)", 4),
@@ -83,9 +86,7 @@ KNOWN: Final[tuple[Known, ...]] = (
         known.hyperbola,
         (
             _CENTRE,
-            Parameter(
-                "semi_axes", ("Transverse semi-axis a", "Conjugate semi-axis b"), (1.0, 1.0), _SMALLEST
-            ),
+            Parameter("semi_axes", ("Transverse semi-axis a", "Conjugate semi-axis b"), (1.0, 1.0), SMALLEST),
             _ROTATION,
             *_reach(-1.0, 2),
         ),
@@ -96,7 +97,7 @@ KNOWN: Final[tuple[Known, ...]] = (
         known.sine,
         (
             _ORIGIN,
-            Parameter("amplitude", ("Amplitude",), 1.0),
+            Parameter("amplitude", ("Amplitude",), 1.0, nonzero=True),
             _positive("wavelength", "Wavelength", 4.0),
             _ROTATION,
             _angle("Start at phase"),
@@ -129,15 +130,15 @@ KNOWN: Final[tuple[Known, ...]] = (
     Known(
         "Catenary",
         known.catenary,
-        (_ORIGIN, Parameter("parameter", ("Parameter a",), 1.0), _ROTATION, *_reach(-1.0, 2)),
+        (_ORIGIN, Parameter("parameter", ("Parameter a",), 1.0, nonzero=True), _ROTATION, *_reach(-1.0, 2)),
     ),
     Known(
         "Exponential curve",
         known.exponential,
         (
             _ORIGIN,
-            Parameter("amplitude", ("Amplitude A",), 1.0),
-            Parameter("length", ("Length L of growth by e",), 1.0),
+            Parameter("amplitude", ("Amplitude A",), 1.0, nonzero=True),
+            Parameter("length", ("Length L of growth by e",), 1.0, nonzero=True),
             _ROTATION,
             *_reach(-3.0, 4),
         ),
@@ -148,7 +149,7 @@ KNOWN: Final[tuple[Known, ...]] = (
         (
             Parameter("centre", ("Centre x", "Centre y", "Centre z"), (0.0, 0.0, 0.0)),
             _positive("radius", "Radius", 1.0),
-            Parameter("pitch", ("Pitch",), 1.0),
+            Parameter("pitch", ("Pitch",), 1.0, nonzero=True),
             _angle("Start at angle"),
             _quarters("Quarter turns", 12),
         ),

@@ -101,12 +101,18 @@ def clean_numbers(values: ArrayLike, what: str, count: int = 1) -> Floats:
     """Return so many numbers as an array, or refuse them by name."""
     numbers = np.atleast_1d(np.asarray(values, dtype=np.float64))
     if numbers.shape != (count,):
-        raise ValueError(
-            f"{what} must be {'one number' if count == 1 else f'{count} numbers'}, not {values!r}"
-        )
+        wanted = "one number" if count == 1 else f"{count} numbers"
+        raise ValueError(f"{what} must be {wanted}, not an array of shape {np.shape(values)}")
     if not (np.abs(numbers) <= MAX_COORDINATE).all():
-        raise ValueError(f"{what} must be finite and at most {MAX_COORDINATE:g} in size, not {values!r}")
+        raise ValueError(
+            f"{what} must be finite and at most {MAX_COORDINATE:g} in size, not {listed(numbers)}"
+        )
     return numbers
+
+
+def listed(numbers: Floats) -> str:
+    """Write numbers in a sentence: ``2, −1``."""
+    return ", ".join(f"{x:g}" for x in numbers.tolist()).replace("-", "−")
 
 
 def _places(segments: int, start: float, c1: Floats, degree: int) -> Floats:
@@ -123,15 +129,22 @@ def _places(segments: int, start: float, c1: Floats, degree: int) -> Floats:
 
 
 def _chain(points: Floats, mode: Mode, degree: int) -> Curve:
-    if not (np.abs(points) <= MAX_COORDINATE).all():
+    _check_reach(points)
+    return Curve(points, lambda_of(mode, degree), degree)
+
+
+def _check_reach(vectors: Floats) -> None:
+    if not (np.abs(vectors) <= MAX_COORDINATE).all():
         raise ValueError(
             f"the curve would reach beyond {MAX_COORDINATE:g}: make it shorter, smaller or start nearer to 0"
         )
-    return Curve(points, lambda_of(mode, degree), degree)
 
 
 def _coefficients(*vectors: ArrayLike) -> list[Floats]:
     dimension = np.size(vectors[0])
     if dimension not in (2, 3):
         raise ValueError(f"c0 needs 2 or 3 coordinates, not {dimension}")
+    for vector in vectors:
+        if np.isfinite(vector).all():
+            _check_reach(np.asarray(vector))
     return [clean_numbers(vector, f"c{i}", dimension) for i, vector in enumerate(vectors)]

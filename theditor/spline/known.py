@@ -6,13 +6,16 @@ printed control points carry misprints; these are derived anew.
 """
 
 from collections.abc import Sequence
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from theditor.spline.basis import Floats
-from theditor.spline.chains import clean_numbers, hyperbolic, trigonometric, turn
+from theditor.spline.chains import clean_numbers, hyperbolic, listed, trigonometric, turn
 from theditor.spline.curve import Curve
+
+_LEAST: Final = float(np.finfo(np.float64).tiny)  # sizes below it have lost digits
 
 
 def ellipse(
@@ -310,13 +313,15 @@ def _frame(rotation: float) -> tuple[Floats, Floats]:
 
 def _positive(values: ArrayLike, what: str, count: int = 1) -> Floats:
     numbers = clean_numbers(values, what, count)
-    if not (numbers > 0).all():
-        raise ValueError(f"{what} must be positive, not {values!r}")
+    if not (numbers >= _LEAST).all():
+        raise ValueError(f"{what} must be positive, not {listed(numbers)}: give at least {_LEAST:g}")
     return numbers
 
 
 def _nonzero(value: float, what: str) -> float:
     (number,) = clean_numbers(value, what)
-    if number == 0:
-        raise ValueError(f"{what} must not be zero: the curve would be a straight line or a circle")
+    if abs(number) < _LEAST:
+        raise ValueError(
+            f"{what} must not be zero, nor below {_LEAST:g} in size: the curve would be a straight line or a circle"
+        )
     return float(number)
