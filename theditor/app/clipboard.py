@@ -105,8 +105,13 @@ class Clipboard:
 @atexit.register
 def _let_go() -> None:
     """Take what is ours off the clipboard: Qt would delete it after Python has ended, and crash."""
-    if QGuiApplication.instance() is not None and QGuiApplication.clipboard().ownsClipboard():
-        QGuiApplication.clipboard().clear()
+    if QGuiApplication.instance() is not None:
+        clipboard = QGuiApplication.clipboard()
+        data = clipboard.mimeData()
+        # Offscreen Qt says that it owns nothing, even while it does.
+        ours = clipboard.ownsClipboard() or QGuiApplication.platformName() == "offscreen"
+        if ours and data is not None and data.hasFormat(OWN_TYPE):
+            clipboard.clear()
 
 
 def carried(items: Sequence[Item], scale: float) -> QMimeData:
