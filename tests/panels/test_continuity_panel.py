@@ -88,9 +88,16 @@ def test_what_a_low_lambda_does_is_noted_under_the_joints_own_number(panel, docu
     assert "as promised within 1e−9 of the size of the terms" in panel.heading.text()
 
 
-def test_the_position_takes_the_room_that_is_left(panel):
-    header = panel.table.horizontalHeader()
-    assert header.sectionSize(POSITION) > panel.table.fontMetrics().horizontalAdvance("(−1234567, −1234567)")
+def test_the_position_takes_the_room_that_is_left_and_no_other_is_cut(panel):
+    header, width = panel.table.horizontalHeader(), panel.table.fontMetrics().horizontalAdvance
+    longest = {
+        POSITION: "(−1234567, −1234567)",
+        SECOND: "1.3e−16",
+        BEND: "1.3e−16",
+        PROMISED: "✓ C¹, reversed",
+    }
+    for column, text in longest.items():
+        assert header.sectionSize(column) > width(text) + 8
     assert header.length() == panel.table.viewport().width()
 
 

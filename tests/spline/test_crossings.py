@@ -10,6 +10,7 @@ from theditor.spline import (
     arc_length,
     intersections,
     known,
+    nearest,
     self_intersections,
 )
 from theditor.spline.crossings import meeting_boxes
@@ -224,3 +225,16 @@ def test_space_curves_are_refused():
         intersections(LINE, helix)
     with pytest.raises(ValueError, match="accuracy must be a positive number"):
         intersections(LINE, LINE, np.nan)
+
+
+def test_an_overlap_is_told_from_a_crossing_by_directions_and_what_lies_beside_it():
+    whole, arc = known.ellipse(), known.ellipse(start=0.3, quarters=2)
+    (place,) = intersections(whole, arc)
+    u, v = place
+    one, other = whole(u, 1), arc(v, 1)
+    assert abs(one[0] * other[1] - one[1] * other[0]) <= 1e-6 * np.linalg.norm(one) * np.linalg.norm(other)
+    beside = whole(np.array([u - 0.01, u + 0.01]))
+    assert nearest(arc, beside)[1].max() < 1e-12
+    touching = known.ellipse((4, 0))
+    (place,) = intersections(whole, touching)
+    assert nearest(touching, whole(np.array([place[0] + 0.01])))[1] > 1e-6

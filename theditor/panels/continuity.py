@@ -17,7 +17,7 @@ EMPTY = "There is no curve yet."
 MOST_LIVE = 5000
 """Longer curves, in segments, are measured when the hand lets go of them."""
 _ROW_HEIGHT = 24
-_WIDTHS = (50, 116, 80, 58, 58, 58, 80, 96)
+_WIDTHS = (44, 116, 76, 68, 68, 68, 72, 112)
 _POSITION = 1  # takes the room that is left, for its text has no fixed length
 _TIP = "Every joint, measured from both sides. Select one to select what shapes it and see it on the canvas."
 

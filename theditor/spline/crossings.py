@@ -49,8 +49,10 @@ def intersections(a: Curve, b: Curve, accuracy: float = 1e-9) -> Floats:
     """Return where two plane curves meet.
 
     Every crossing is found, to rounding, and every touch, to about √accuracy along the curves. A stretch that
-    both run along is given as one pair. The work is bounded: where stretches coincide without being straight,
-    some may be given as several pairs.
+    both run along is given as one pair, some place on it. It looks like a touch, for the directions agree
+    there; that it is a stretch is told by points of `a` beside it, whose distance from `b` by `nearest` is
+    no more than rounding. The work is bounded: where stretches coincide without being straight, some may be
+    given as several pairs.
 
     Parameters
     ----------
