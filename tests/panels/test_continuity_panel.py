@@ -92,12 +92,12 @@ def test_the_position_takes_the_room_that_is_left_and_no_other_is_cut(panel):
     header, width = panel.table.horizontalHeader(), panel.table.fontMetrics().horizontalAdvance
     longest = {
         POSITION: "(−1234567, −1234567)",
-        SECOND: "1.3e−16",
-        BEND: "1.3e−16",
+        SECOND: "1e−16",
+        BEND: "1e−16",
         PROMISED: "✓ C¹, reversed",
     }
     for column, text in longest.items():
-        assert header.sectionSize(column) > width(text) + 8
+        assert header.sectionSize(column) > width(text) + 20
     assert header.length() == panel.table.viewport().width()
 
 

@@ -17,7 +17,7 @@ EMPTY = "There is no curve yet."
 MOST_LIVE = 5000
 """Longer curves, in segments, are measured when the hand lets go of them."""
 _ROW_HEIGHT = 24
-_WIDTHS = (44, 116, 76, 68, 68, 68, 72, 112)
+_WIDTHS = (46, 116, 78, 72, 72, 72, 76, 124)
 _POSITION = 1  # takes the room that is left, for its text has no fixed length
 _TIP = "Every joint, measured from both sides. Select one to select what shapes it and see it on the canvas."
 

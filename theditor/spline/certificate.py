@@ -95,8 +95,8 @@ def joints(count: int) -> str:
 
 
 def small(size: float) -> str:
-    """Write a jump with two digits: 0, 3.1e−16, 1e−9, 0.25."""
-    return f"{size:.2g}".replace("e-0", "e-").replace("-", "−")
+    """Write a jump: 0, 3e−16, 0.25; of what is near rounding the power tells enough."""
+    return f"{size:{'.1g' if size < 1e-4 else '.2g'}}".replace("e-0", "e-").replace("-", "−")
 
 
 def _order(kind: str, order: int) -> str:
