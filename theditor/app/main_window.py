@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QSettings, QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, QSettings, QSize, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QKeySequence
 from PySide6.QtWidgets import (
     QApplication,
@@ -24,7 +24,7 @@ from theditor.app.docks import add_dock, scrolling_column
 from theditor.app.files import Files
 from theditor.app.insert_dialog import InsertDialog
 from theditor.app.lambda_dialogs import LambdaDialog
-from theditor.app.menus import build_menus
+from theditor.app.menus import build_menus, tint_icons
 from theditor.app.palette import Palette
 from theditor.app.preferences import Preferences
 from theditor.app.problems import MessageBar
@@ -38,6 +38,7 @@ from theditor.panels.continuity import ContinuityPanel
 from theditor.panels.curvature import CurvaturePanel
 from theditor.panels.curve import CurvePanel
 from theditor.panels.curves import CurvesPanel
+from theditor.panels.history import HistoryPanel
 from theditor.panels.lambda_strip import LambdaStrip
 from theditor.panels.points import PointsPanel
 from theditor.panels.segment_info import SegmentPanel
@@ -67,6 +68,7 @@ class MainWindow(QMainWindow):
         self._build_panels()
         self.commands = commands(self)
         self.actions_by_name = build_menus(self)
+        tint_icons(self)
         self.context_menus = ContextMenus(self)
         self._build_status_line()
         self._follow()
@@ -112,6 +114,7 @@ class MainWindow(QMainWindow):
                 ("Basis", "basis", self.basis),
                 ("Curvature", "curvature", self.curvature),
                 ("Continuity", "continuity", self.continuity),
+                ("History", "history", HistoryPanel(self.document)),
             )
         ]
         tabs[0].raise_()
@@ -298,6 +301,12 @@ class MainWindow(QMainWindow):
     def quit(self) -> None:
         """Close all windows, unless one of them stays."""
         QApplication.closeAllWindows()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Draw the icons in the colours of the theme."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            tint_icons(self)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask about unsaved changes, and keep the layout for the next time."""

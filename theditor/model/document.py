@@ -28,6 +28,9 @@ class Document(QObject):
     started = Signal()
     """Everything was replaced: another drawing was opened or begun."""
 
+    stepped = Signal()
+    """The undo history is another one: a step more or less, another state, another state saved."""
+
     renamed = Signal()
     """The path or the title is another one."""
 
@@ -38,7 +41,10 @@ class Document(QObject):
         self._title = UNTITLED
         self._gesture: Gesture | None = None
         self._run = 0
+        self._jumping = False
         self.undo_stack = QUndoStack(self)
+        self.undo_stack.indexChanged.connect(self._tell_step)
+        self.undo_stack.cleanChanged.connect(self._tell_step)
 
     @property
     def drawing(self) -> Drawing:
@@ -117,6 +123,19 @@ class Document(QObject):
         self.undo_stack.redo()
         self.break_run()
 
+    def jump(self, index: int) -> None:
+        """Go to the state after the first `index` steps at once: views hear of one change, however many steps."""
+        self.settle()
+        before = self._drawing
+        self._jumping = True
+        try:
+            self.undo_stack.setIndex(index)
+        finally:
+            self._jumping = False
+        self.break_run()
+        if self._drawing is not before:
+            self.changed.emit(before, self._drawing)
+
     # Files
 
     def open(self, path: Path) -> None:
@@ -166,8 +185,11 @@ class Document(QObject):
 
     def _show(self, drawing: Drawing) -> None:
         old, self._drawing = self._drawing, drawing
-        if old is not drawing:
+        if old is not drawing and not self._jumping:
             self.changed.emit(old, drawing)
+
+    def _tell_step(self, *_: object) -> None:
+        self.stepped.emit()
 
     def _close_gesture(self, gesture: Gesture, keep: bool) -> None:
         self._gesture = None
