@@ -50,6 +50,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             (key,),
             can_edit,
             on_canvas=True,
+            icon=name,
             places=("point", "segment"),
             gap=gap,
         )
@@ -89,11 +90,22 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             checked=name == "select",
             choice="tool",
             brief=brief,
+            icon=name,
         )
 
     return (
-        Command("new", "File", "&New", "Start an empty drawing", window.files.new, (_Standard.New,)),
-        Command("open", "File", "&Open…", "Open a drawing from a file", window.files.open, (_Standard.Open,)),
+        Command(
+            "new", "File", "&New", "Start an empty drawing", window.files.new, (_Standard.New,), icon="new"
+        ),
+        Command(
+            "open",
+            "File",
+            "&Open…",
+            "Open a drawing from a file",
+            window.files.open,
+            (_Standard.Open,),
+            icon="open",
+        ),
         Command(
             "gallery",
             "File",
@@ -101,8 +113,18 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "Choose one of the paper's figures or a known curve from pictures",
             window.files.open_gallery,
             ("Ctrl+G",),
+            icon="gallery",
         ),
-        Command("save", "File", "&Save", "Save the drawing", window.files.save, (_Standard.Save,), gap=True),
+        Command(
+            "save",
+            "File",
+            "&Save",
+            "Save the drawing",
+            window.files.save,
+            (_Standard.Save,),
+            icon="save",
+            gap=True,
+        ),
         Command(
             "save_as",
             "File",
@@ -123,6 +145,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             (_Standard.Undo,),
             can_undo,
             brief="Undo",
+            icon="undo",
         ),
         Command(
             "redo",
@@ -133,6 +156,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             (_Standard.Redo, "Ctrl+Shift+Z", "Ctrl+Y"),
             can_redo,
             brief="Redo",
+            icon="redo",
         ),
         Command(
             "cut",
@@ -220,6 +244,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             window.add_curve,
             ("Ctrl+Shift+N",),
             places=("ground",),
+            icon="add",
         ),
         Command(
             "duplicate",
@@ -230,6 +255,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             ("Ctrl+D",),
             has_curve,
             places=("curve",),
+            icon="duplicate",
         ),
         Command(
             "delete",
@@ -241,6 +267,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             can_edit,
             on_list=True,
             places=("curve",),
+            icon="delete",
         ),
         Command(
             "rename",
@@ -340,6 +367,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             checked=False,
             brief="Snap",
             gap=True,
+            icon="snap",
         ),
         *view_commands(window),
         Command(
@@ -365,6 +393,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "&Gallery…",
             "Choose one of the paper's figures or a known curve, with what to try on it",
             window.files.open_gallery,
+            icon="gallery",
         ),
         Command("about", "Help", "&About theditor", "Version, licence and the paper behind it", window.about),
     )

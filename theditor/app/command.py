@@ -58,6 +58,8 @@ class Command:
         Checkable commands of one choice exclude each other.
     brief
         Text on the toolbar; empty for commands that are not there.
+    icon
+        Name of its drawing (see `icons.icon`); commands with a brief text have one.
     places
         The context menus it is in.
     gap
@@ -76,6 +78,7 @@ class Command:
     checked: bool | None = None
     choice: str = ""
     brief: str = ""
+    icon: str = ""
     places: tuple[Place, ...] = ()
     gap: bool = False
 

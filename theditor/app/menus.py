@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDockWidget, QMenu, QToolBar
+from PySide6.QtWidgets import QApplication, QDockWidget, QMenu
 
-from theditor.app.command import Command, make_action
+from theditor.app.command import make_action
+from theditor.app.icons import icon
 from theditor.app.letters import lettered
+from theditor.app.toolbar import Toolbar
 
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
@@ -39,8 +40,17 @@ def build_menus(window: MainWindow) -> dict[str, QAction]:
         dock.toggleViewAction().setText(title)
         panels.addAction(dock.toggleViewAction())
     buttons = [(command, actions[command.name]) for command in window.commands if command.brief]
-    window.addToolBar(_toolbar(buttons))
+    window.addToolBar(Toolbar(buttons))
     return actions
+
+
+def tint_icons(window: MainWindow) -> None:
+    """Give the actions their icons, in the colours of the application's palette."""
+    for command in window.commands:
+        if command.icon:
+            action = window.actions_by_name[command.name]
+            action.setIcon(icon(command.icon, QApplication.palette()))
+            action.setIconVisibleInMenu(not action.isCheckable())  # its place is the check mark's
 
 
 def _menu(window: MainWindow, menus: dict[str, QMenu], path: str) -> QMenu:
@@ -50,22 +60,6 @@ def _menu(window: MainWindow, menus: dict[str, QMenu], path: str) -> QMenu:
         parent = _menu(window, menus, above) if above else window.menuBar()
         menus[path] = parent.addMenu("&" + title)
     return menus[path]
-
-
-def _toolbar(buttons: list[tuple[Command, QAction]]) -> QToolBar:
-    """A button for each command with a brief text, tools first, in groups by what their names begin with."""
-    toolbar = QToolBar("Toolbar")
-    toolbar.setObjectName("toolbar")
-    toolbar.setMovable(False)
-    toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
-    group = ""
-    for command, action in sorted(buttons, key=lambda button: button[0].choice != "tool"):
-        part = command.name.split("_")[0]
-        if group and part != group and not {part, group} <= {"undo", "redo"}:
-            toolbar.addSeparator()
-        group = part
-        toolbar.addAction(action)
-    return toolbar
 
 
 def _recent_menu(window: MainWindow) -> QMenu:

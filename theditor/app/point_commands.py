@@ -89,6 +89,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             has_part,
             on_canvas=True,
             places=("point", "segment"),
+            icon="insert_point",
         ),
         Command(
             "delete_points",
@@ -100,6 +101,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             has_points,
             on_canvas=True,
             places=("point",),
+            icon="delete",
         ),
         Command(
             "delete_points_alone",
@@ -122,6 +124,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             on_canvas=True,
             places=("point",),
             gap=True,
+            icon="corner",
         ),
         Command(
             "smooth_point",
@@ -133,6 +136,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             has_points,
             on_canvas=True,
             places=("point",),
+            icon="smooth",
         ),
         flip(
             "flip_horizontally",
@@ -182,6 +186,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             has_part,
             on_canvas=True,
             places=("point", "segment"),
+            icon="split",
         ),
         Command(
             "join",
@@ -193,6 +198,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             can_join,
             on_canvas=True,
             places=("curve",),
+            icon="join",
         ),
         Command(
             "close_or_open",

@@ -105,6 +105,7 @@ QMenu { background: $panel; border: 1px solid $border; padding: 4px; color: $tex
 QMenu::item { padding: 5px 28px 5px 24px; border-radius: 4px; }
 QMenu::item:selected { background: $selection; color: $accent_text; }
 QMenu::item:disabled { color: $faded; }
+QMenu::icon { padding-left: 8px; }
 QMenu::indicator { width: 12px; height: 12px; margin-left: 8px; }
 QMenu::indicator:checked { image: url($icons/check.svg); }
 QMenu::separator { height: 1px; background: $border; margin: 4px 8px; }

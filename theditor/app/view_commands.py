@@ -30,6 +30,7 @@ def view_commands(window: MainWindow) -> tuple[Command, ...]:
             lambda on: canvas.set_shown(**{name: on}),
             checked=state,
             brief=brief,
+            icon=name if brief else "",
             gap=gap,
         )
 
@@ -54,6 +55,7 @@ def view_commands(window: MainWindow) -> tuple[Command, ...]:
             ("F",),
             on_canvas=True,
             brief="Fit",
+            icon="fit",
             places=("ground",),
         ),
         Command(
@@ -74,6 +76,7 @@ def view_commands(window: MainWindow) -> tuple[Command, ...]:
             "Enlarge the picture",
             lambda: canvas.zoom(1.25),
             (_Standard.ZoomIn, "Ctrl+="),
+            icon="zoom_in",
         ),
         Command(
             "zoom_out",
@@ -82,6 +85,7 @@ def view_commands(window: MainWindow) -> tuple[Command, ...]:
             "Shrink the picture",
             lambda: canvas.zoom(1 / 1.25),
             (_Standard.ZoomOut,),
+            icon="zoom_out",
         ),
         shown("polygon", "Control &polygon", "Show the control polygon", gap=True, brief="Polygon"),
         shown("labels", "&Labels", "Show the names of the control points", brief="Labels"),

@@ -1,0 +1,57 @@
+"""The icons of commands: one-colour drawings on a grid of 16, in the colours of the palette."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPixmap
+from PySide6.QtSvg import QSvgRenderer
+
+from theditor.resources import resource
+
+SIZE = 16
+"""Width and height of an icon in logical pixels."""
+_RATIOS = 1.0, 1.5, 2.0, 3.0  # device pixels per logical pixel, each drawn anew: nothing is scaled
+
+
+def icon(name: str, palette: QPalette) -> QIcon:
+    """Return an icon in the palette's text colour, its accent where checked, faded where disabled.
+
+    It keeps these colours: ask for another one when the palette changes.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is no such drawing.
+    """
+    group, role = QPalette.ColorGroup, QPalette.ColorRole
+    renderer = QSvgRenderer(str(resource(f"icons/{name}.svg")))
+    result = QIcon()
+    for ratio in _RATIOS:
+        drawn = _drawn(renderer, ratio)
+        for mode, state, colour in (
+            (QIcon.Mode.Normal, QIcon.State.Off, palette.color(group.Active, role.ButtonText)),
+            (QIcon.Mode.Normal, QIcon.State.On, palette.color(group.Active, role.HighlightedText)),
+            (QIcon.Mode.Disabled, QIcon.State.Off, palette.color(group.Disabled, role.ButtonText)),
+            (QIcon.Mode.Disabled, QIcon.State.On, palette.color(group.Disabled, role.ButtonText)),
+        ):
+            result.addPixmap(_tinted(drawn, colour), mode, state)
+    return result
+
+
+def _drawn(renderer: QSvgRenderer, ratio: float) -> QPixmap:
+    pixmap = QPixmap(QSize(SIZE, SIZE) * ratio)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    renderer.render(painter)
+    painter.end()
+    pixmap.setDevicePixelRatio(ratio)
+    return pixmap
+
+
+def _tinted(drawn: QPixmap, colour: QColor) -> QPixmap:
+    pixmap = QPixmap(drawn)
+    painter = QPainter(pixmap)
+    painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
+    painter.fillRect(pixmap.rect(), colour)
+    painter.end()
+    return pixmap
