@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from theditor.spline import Curve, fit, nearest
@@ -19,7 +19,7 @@ def to_polyline(points, corners):
 def missed(stroke, curve):
     """How far the stroke's points are from the curve, or the curve from the polyline."""
     line = np.concatenate((stroke, stroke[:1])) if curve.closed else stroke
-    return max(max(nearest(curve, p)[1] for p in stroke), to_polyline(curve.sample(40), line).max())
+    return max(max(nearest(curve, p)[1] for p in stroke), to_polyline(curve.sample(100), line).max())
 
 
 def wave(count=200, noise=0.0, seed=0):
@@ -107,6 +107,7 @@ def test_corners_stay_corners_unless_they_are_to_be_rounded(degree):
 
 @few
 @given(st.lists(st.tuples(st.integers(0, 40), st.integers(0, 40)), min_size=2, max_size=30), st.booleans())
+@example([(14, 0), (0, 8), (16, 11), (7, 9)], True)
 def test_any_scribble_gives_a_curve_and_its_true_deviation(scribble, closed):
     if len(set(scribble)) < 3:
         return

@@ -5,10 +5,12 @@ from math import dist
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from theditor.spline.basis import Floats
 from theditor.spline.curve import Curve
 from theditor.spline.deviation import farthest
+from theditor.spline.sampling import evaluate_segments
 
 _TURN: Final = np.cos(
     np.radians(60)
@@ -17,6 +19,8 @@ _ARM: Final = 4.0  # tolerances
 _SCALE: Final = 3.0  # tolerances
 _FINEST: Final = 400
 _PER_SEGMENT: Final = 16  # points of the curve to compare with the stroke
+_FINE: Final = 128  # the same where a segment may be the one that gets farthest off
+_SUSPECT: Final = 0.7  # of the farthest seen: a segment that gets so far off is looked at more closely
 _BLOCK: Final = 512  # of these points at a time
 
 
@@ -129,9 +133,21 @@ def distance(points: Floats, curve: Curve, u: Floats) -> float:
         About where on the curve the points belong.
     """
     line = np.concatenate((points, points[:1])) if curve.closed else points
-    samples = curve.sample(_PER_SEGMENT)
-    blocks = [samples[i : i + _BLOCK] for i in range(0, len(samples), _BLOCK)]
-    return max(farthest(points, curve, u), *(float(_to_line(block, line).max()) for block in blocks))
+    every = np.arange(curve.segment_count)
+    coarse = _off_line(curve, every, _PER_SEGMENT, line)
+    suspects = every[coarse >= _SUSPECT * coarse.max()]
+    return max(farthest(points, curve, u), float(_off_line(curve, suspects, _FINE, line).max()))
+
+
+def _off_line(curve: Curve, segments: NDArray[np.intp], intervals: int, line: Floats) -> Floats:
+    """Return how far each of some segments gets from a polyline, seen at equal steps of t."""
+    size = max(1, _BLOCK // (intervals + 1))
+    farthest_of = []
+    for i in range(0, len(segments), size):
+        block = evaluate_segments(curve, segments[i : i + size], intervals)
+        away = _to_line(block.reshape(-1, curve.dimension), line)
+        farthest_of.append(away.reshape(len(block), -1).max(axis=1))
+    return np.concatenate(farthest_of)
 
 
 def parts(points: Floats, at: list[int], closed: bool) -> list[Floats]:
