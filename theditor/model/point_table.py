@@ -6,15 +6,13 @@ from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
+from PySide6.QtCore import QAbstractTableModel, QObject, Qt, Signal
 
 from theditor.model import point_cells, words
 from theditor.model.document import Document
+from theditor.model.item_index import NO_INDEX, ModelIndex
 from theditor.model.selection import Selection
 from theditor.spline import Curve
-
-ModelIndex = QModelIndex | QPersistentModelIndex
-NO_INDEX = QModelIndex()
 
 _MOST_SIGNALS = 32
 _TIPS = {

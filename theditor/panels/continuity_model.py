@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
+from PySide6.QtCore import QAbstractTableModel, QObject, Qt
 
+from theditor.model.item_index import NO_INDEX, ModelIndex
 from theditor.spline import Continuity
 from theditor.spline.certificate import COLUMNS
-
-ModelIndex = QModelIndex | QPersistentModelIndex
-NO_INDEX = QModelIndex()
 
 
 class ContinuityModel(QAbstractTableModel):

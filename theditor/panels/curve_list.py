@@ -6,7 +6,6 @@ from PySide6.QtCore import (
     QAbstractListModel,
     QModelIndex,
     QObject,
-    QPersistentModelIndex,
     QPoint,
     QPointF,
     QRect,
@@ -28,11 +27,10 @@ from PySide6.QtWidgets import (
 from theditor.drawing import Drawing, Item
 from theditor.drawing.drawing import NAME_LENGTH
 from theditor.model import colours_for
+from theditor.model.item_index import NO_INDEX, ModelIndex
 from theditor.panels.parts import MARGIN
 from theditor.panels.rows import ROW_HEIGHT, SWATCH, RowList, paint_ground, paint_swatch, swatch_outline
 
-ModelIndex = QModelIndex | QPersistentModelIndex
-NO_INDEX = QModelIndex()
 _ICON = 20
 
 

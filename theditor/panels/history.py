@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide6.QtCore import QAbstractListModel, QItemSelectionModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtCore import QAbstractListModel, QItemSelectionModel, QModelIndex, Qt
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QListView, QVBoxLayout, QWidget
 
 from theditor.model import Document
+from theditor.model.item_index import NO_INDEX, ModelIndex
 from theditor.panels.parts import describe
 
 _START = "Start"
@@ -23,13 +24,11 @@ class HistoryModel(QAbstractListModel):
         self._count = self._stack.count()
         document.stepped.connect(self._follow)
 
-    def rowCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008
+    def rowCount(self, parent: ModelIndex = NO_INDEX) -> int:
         """One more than there are steps."""
         return 0 if parent.isValid() else self._count + 1
 
-    def data(
-        self, index: QModelIndex | QPersistentModelIndex, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
+    def data(self, index: ModelIndex, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """The step that led to a state; the saved state is marked, those undone are quiet."""
         row = index.row()
         if role == Qt.ItemDataRole.DisplayRole:

@@ -8,8 +8,6 @@ from PySide6.QtCore import (
     QEvent,
     QItemSelection,
     QItemSelectionModel,
-    QModelIndex,
-    QPersistentModelIndex,
     QSize,
     Qt,
     Signal,
@@ -29,12 +27,11 @@ from PySide6.QtWidgets import (
 )
 
 from theditor.model import Document, Selection, colours_for, unbreakable
+from theditor.model.item_index import ModelIndex
 from theditor.model.point_table import PointTable
 from theditor.panels.parts import describe, tabular
 from theditor.panels.rows import SWATCH
 from theditor.panels.segment_model import runs
-
-ModelIndex = QModelIndex | QPersistentModelIndex
 
 _ROW_HEIGHT = 24
 _WIDTH = 116

@@ -6,8 +6,6 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import (
     QEvent,
-    QModelIndex,
-    QPersistentModelIndex,
     QPoint,
     QPointF,
     QRect,
@@ -20,13 +18,12 @@ from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPainterPath
 from PySide6.QtWidgets import QAbstractItemView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from theditor.model import Colours, colours_for, unbreakable
+from theditor.model.item_index import ModelIndex
 from theditor.model.words import MODE_LETTERS
 from theditor.panels.parts import MARGIN, small_font, tabular
 from theditor.panels.rows import ROW_HEIGHT, SWATCH, RowList, paint_ground, paint_swatch
 from theditor.panels.segment_model import SegmentModel
 from theditor.spline import Mode
-
-ModelIndex = QModelIndex | QPersistentModelIndex
 
 MODES = tuple(MODE_LETTERS)
 KEYS = {

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import numpy as np
-from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt
+from PySide6.QtCore import QAbstractListModel, QObject, Qt
 
 from theditor.model import words
+from theditor.model.item_index import NO_INDEX, ModelIndex
 from theditor.panels.guarded import NegativeBasis
 from theditor.spline import Curve, Kind, Mode, changed_segments, recognise_segments
 
-ModelIndex = QModelIndex | QPersistentModelIndex
-NO_INDEX = QModelIndex()
 _BLOCK = 16
 """Rows that are named together: about as many as are visible."""
 _GENERAL = (Kind.TRIGONOMETRIC, Kind.HYPERBOLIC)
