@@ -139,6 +139,20 @@ def test_opening_forgets_the_history(document, tmp_path):
     assert document.drawing == drawing()
 
 
+def test_a_jump_tells_of_the_drawing_before_it_tells_of_the_step(document):
+    for index in range(4):
+        document.apply("Add", document.drawing.inserted(0, drawing(index)[0]))
+    heard = []
+    document.changed.connect(lambda old, new: heard.append(len(new)))
+    document.stepped.connect(lambda: heard.append("step"))
+    document.jump(1)
+    assert heard[0] == len(document.drawing) == 3
+    assert "step" in heard
+    assert heard.count(3) == 1
+    document.jump(4)
+    assert len(document.drawing) == 6
+
+
 edits = st.lists(
     st.tuples(
         st.sampled_from(["move", "shape", "drop", "add", "undo", "redo"]), st.integers(0, 4), st.floats(-5, 5)

@@ -128,13 +128,21 @@ class Document(QObject):
         self.settle()
         before = self._drawing
         self._jumping = True
+        self.undo_stack.blockSignals(True)
         try:
             self.undo_stack.setIndex(index)
         finally:
+            self.undo_stack.blockSignals(False)
             self._jumping = False
         self.break_run()
         if self._drawing is not before:
             self.changed.emit(before, self._drawing)
+        # The stack was kept silent, so that nobody heard of a step before its drawing.
+        stack = self.undo_stack
+        stack.indexChanged.emit(stack.index())
+        stack.cleanChanged.emit(stack.isClean())
+        stack.canUndoChanged.emit(stack.canUndo())
+        stack.canRedoChanged.emit(stack.canRedo())
 
     # Files
 
