@@ -1,0 +1,45 @@
+"""What can be asked of a foreign format, and how a wish that cannot be met is refused."""
+
+import pytest
+
+from theditor.drawing import Drawing, DrawingError
+from theditor.exchange import FORMATS, Options, read, readable, writable, write
+
+
+@pytest.mark.parametrize(
+    ("wish", "words"),
+    [
+        ({"tolerance": 0.0}, "tolerance"),
+        ({"tolerance": float("nan")}, "tolerance"),
+        ({"size": -3.0}, "size"),
+        ({"dpi": float("inf")}, "dpi"),
+        ({"show": {"polygon", "grid"}}, "'grid'"),
+        ({"sampling": "chance"}, "'chance'"),
+        ({"samples": 2.5}, "2.5"),
+        ({"degree": 4}, "4"),
+    ],
+)
+def test_a_wish_that_makes_no_sense_is_refused_in_one_sentence(wish, words):
+    with pytest.raises(DrawingError, match=words) as caught:
+        Options(**wish)
+    assert str(caught.value).count(".\n") == 0
+    assert str(caught.value).endswith(".")
+
+
+def test_parts_to_show_may_come_in_any_collection():
+    assert Options(show=["polygon", "polygon"]) == Options(show=frozenset({"polygon"}))
+
+
+@pytest.mark.parametrize("suffix", ["", ".json", ".docx", "svg"])
+def test_an_unknown_format_is_refused_with_the_known_ones(suffix):
+    with pytest.raises(DrawingError, match=r"written: choose one of \.svg, \.pdf") as caught:
+        write(Drawing(), suffix)
+    assert repr(suffix) in str(caught.value) or not suffix
+    with pytest.raises(DrawingError, match=r"read: choose one of \.svg, \.csv"):
+        read(b"", suffix)
+
+
+def test_what_only_goes_out_cannot_be_read():
+    assert set(readable()) < set(writable()) == set(FORMATS)
+    with pytest.raises(DrawingError, match=r"'\.PNG' cannot be read"):
+        read(b"", ".PNG")
