@@ -61,3 +61,58 @@ def test_it_tells_of_changes_only(selection, qtbot):
         selection.select(points={1})
     with qtbot.waitSignal(selection.changed):
         selection.select(points=())
+
+
+def across(selection):
+    return {curve: points.tolist() for curve, points in selection.across.items()}
+
+
+def test_points_are_selected_on_several_curves(document, selection):
+    selection.select_across({1: [4, 0, 4], 2: {3, 99}})
+    assert across(selection) == {1: [0, 4], 2: [3]}
+    assert (selection.curve, selection.points, selection.curves) == (1, {0, 4}, (1, 2))
+    assert {i: of.tolist() for i, of in selection.lambdas_across().items()} == {1: [0, 4], 2: [3]}
+    selection.select(points={2})
+    assert across(selection) == {1: [2]}, "a selection on one curve leaves no other"
+
+
+def test_the_current_curve_is_one_with_something_selected(selection):
+    selection.select_across({2: [1]})
+    assert selection.curve == 2
+    selection.select_across({1: [], 2: []}, curve=1)
+    assert (selection.curve, selection.curves, across(selection)) == (1, (1, 2), {})
+    assert selection.lambdas_across().keys() == {1, 2}
+
+
+def test_hidden_and_locked_curves_have_no_points_selected(document, selection):
+    selection.select_across({0: [1], 1: [1], 2: [1]})
+    assert across(selection) == {1: [1], 2: [1]}
+    document.apply("Lock", document.drawing.with_item(2, document.drawing[2].with_(locked=True)))
+    assert across(selection) == {1: [1]}
+    assert selection.curves == (0, 1, 2), "chosen as a whole it stays, to be unlocked"
+
+
+def test_it_follows_curves_that_come_go_and_change_places(document, selection):
+    drawing = document.drawing
+    selection.select_across({1: [1], 2: [2]}, curve=2)
+    document.apply("Insert", drawing.inserted(0, Item(Curve(POINTS))))
+    assert (selection.curve, across(selection)) == (3, {2: [1], 3: [2]})
+    moved = drawing[1].curve.with_points([0], [[9.0, 9.0]])
+    document.apply("Edit", document.drawing.with_curve(2, moved))
+    document.apply("Reorder", document.drawing.without(3).inserted(0, document.drawing[3]))
+    assert (selection.curve, across(selection)) == (0, {0: [2], 3: [1]})
+    document.apply("Delete", document.drawing.without(0))
+    assert across(selection) == {2: [1]}, "nothing is selected on the curve that takes its place"
+    for _ in range(4):
+        document.undo()
+    assert (document.drawing, across(selection)) == (drawing, {1: [1]})
+
+
+def test_one_edit_of_many_curves_keeps_what_is_selected_on_them(qapp):
+    document = Document(Drawing([Item(Curve(POINTS)) for _ in range(5)]))
+    selection = Selection(document)
+    selection.select_across({i: [i] for i in range(5)})
+    new = {i: document.drawing[i].curve.with_points([i], [[7.0, 7.0]]) for i in range(5)}
+    document.apply("Move", document.drawing.with_curves(new))
+    document.undo()
+    assert across(selection) == {i: [i] for i in range(5)}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Self
 
@@ -102,6 +102,13 @@ class Drawing(tuple[Item, ...]):
     def with_curve(self, index: int, curve: Curve) -> Drawing:
         """Return a drawing where the item at an index has another curve and keeps its name and style."""
         return self.with_item(index, self[index].with_(curve=curve))
+
+    def with_curves(self, curves: Mapping[int, Curve]) -> Drawing:
+        """Return a drawing where the items at some indices have other curves, as `with_curve`, all at once."""
+        items = list(self)
+        for index, curve in curves.items():
+            items[index] = items[index].with_(curve=curve)
+        return Drawing(items)
 
     def inserted(self, index: int, item: Item) -> Drawing:
         """Return a drawing with an item inserted before an index, counted like `list.insert`."""

@@ -1,8 +1,8 @@
-"""What is selected: the current curve, its selected points, its selected segments. Never undone."""
+"""What is selected: the current curve, other curves beside it, control points and segments. Never undone."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,22 +12,28 @@ from theditor.drawing import Drawing, Item
 from theditor.model.document import Document
 from theditor.spline import Curve
 
+Ints = NDArray[np.intp]
+
 
 class Selection(QObject):
-    """The current curve and what is selected on it; follows the document, so that it is always valid.
+    """The current curve, and what is selected on it and on others; follows the document, so that it is always valid.
 
-    Segments are counted from 0, as in `Curve`; the window shows them from `Curve.first_segment`.
+    Each selected curve has its selected control points, possibly none: then it was chosen as a whole. The current
+    curve, which the panels show, is always one of them. Segments are selected on the current curve alone; they
+    are counted from 0, as in `Curve`, and the window shows them from `Curve.first_segment`.
     """
 
     changed = Signal()
-    """The current curve, the selected points or the selected segments are others."""
+    """The current curve, or what is selected, is another."""
 
     def __init__(self, document: Document, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._document = document
-        self._curve = _first_visible(document.drawing)
-        self._points: frozenset[int] = frozenset()
+        self._curve = -1
+        self._chosen: dict[int, Ints] = {}
         self._segments: frozenset[int] = frozenset()
+        self._points: frozenset[int] | None = None
+        self._start_anew()
         document.changed.connect(self._follow)
         document.started.connect(self._start_anew)
 
@@ -44,12 +50,34 @@ class Selection(QObject):
     @property
     def points(self) -> frozenset[int]:
         """Selected control points of the current curve."""
+        if self._points is None:
+            self._points = frozenset(self._chosen[self._curve].tolist()) if self._curve >= 0 else frozenset()
         return self._points
 
     @property
     def segments(self) -> frozenset[int]:
         """Selected segments of the current curve."""
         return self._segments
+
+    @property
+    def curves(self) -> tuple[int, ...]:
+        """Selected curves, ascending; the current one is among them."""
+        return tuple(self._chosen)
+
+    @property
+    def across(self) -> dict[int, Ints]:
+        """Selected control points by their curve, both ascending; only curves that have some."""
+        return {curve: points for curve, points in self._chosen.items() if points.size}
+
+    @property
+    def movable(self) -> dict[int, Ints]:
+        """As `across`, of the curves that may be edited on the canvas: visible and not locked."""
+        return {i: points for i, points in self.across.items() if _is_open(self._document.drawing[i])}
+
+    @property
+    def count(self) -> int:
+        """How many control points are selected, on all curves."""
+        return sum(points.size for points in self._chosen.values())
 
     def select(
         self,
@@ -58,65 +86,154 @@ class Selection(QObject):
         points: Iterable[int] | None = None,
         segments: Iterable[int] | None = None,
     ) -> None:
-        """Set what is named and keep the rest; another current curve starts with nothing selected.
+        """Select on one curve alone: set what is named and keep the rest; another curve starts with nothing selected.
 
         Indices that do not exist are dropped.
         """
-        new_curve = self._curve if curve is None else curve
-        if not 0 <= new_curve < len(self._document.drawing):
-            new_curve = -1
-        moved = new_curve != self._curve
-        new_points = frozenset(points) if points is not None else frozenset() if moved else self._points
-        new_segments = (
-            frozenset(segments) if segments is not None else frozenset() if moved else self._segments
-        )
-        self._set(new_curve, new_points, new_segments)
+        new = self._curve if curve is None else curve
+        if not 0 <= new < len(self._document.drawing):
+            new = -1
+        moved = new != self._curve
+        kept = _NOTHING if moved else self._chosen.get(new, _NOTHING)
+        chosen = kept if points is None else _ascending(points)
+        if segments is None:
+            segments = () if moved else self._segments
+        self._set(new, {new: chosen}, frozenset(segments))
 
-    def lambda_indices(self) -> NDArray[np.intp]:
-        """Control points whose λ the λ controls act on, ascending.
+    def select_across(self, points: Mapping[int, Iterable[int]], curve: int | None = None) -> None:
+        """Select control points on several curves, none for a curve that is chosen as a whole.
+
+        Parameters
+        ----------
+        points
+            Control points by their curve, in any order.
+        curve
+            The current curve to be. By default it stays, with its segments. It gives way to the topmost curve that
+            has points selected if there is nothing selected on it.
+        """
+        new = self._curve if curve is None else curve
+        chosen = {i: _ascending(of) for i, of in points.items() if 0 <= i < len(self._document.drawing)}
+        segments = self._segments if new == self._curve else frozenset()
+        if not (segments or chosen.get(new, _NOTHING).size):
+            new = max((i for i, of in chosen.items() if of.size), default=new)
+        self._set(new, chosen, segments)
+
+    def lambda_indices(self) -> Ints:
+        """Control points of the current curve whose λ the λ controls act on, ascending.
 
         The selected points; if none, the points whose λ shape the selected segments; if none, all.
         """
-        item = self.item
-        if item is None:
-            return np.empty(0, dtype=np.intp)
-        if self._points:
-            return np.array(sorted(self._points), dtype=np.intp)
-        if self._segments:
-            return shaping_points(item.curve, self._segments)
-        return np.arange(len(item.curve.control_points))
+        return self.lambdas_across().get(self._curve, _NOTHING)
+
+    def lambdas_across(self) -> dict[int, Ints]:
+        """Control points whose λ the λ controls act on, by their curve: as `lambda_indices`, of all selected curves.
+
+        Curves other than the current one take part only while they are visible and not locked.
+        """
+        drawing = self._document.drawing
+        everything = not self._segments and not self.across
+        result: dict[int, Ints] = {}
+        for i, points in self._chosen.items():
+            curve = drawing[i].curve
+            if i != self._curve and not _is_open(drawing[i]):
+                continue
+            if points.size:
+                result[i] = points
+            elif everything:
+                result[i] = np.arange(len(curve.control_points))
+            elif i == self._curve and self._segments:
+                result[i] = shaping_points(curve, self._segments)
+        return result
 
     def _follow(self, old: Drawing, new: Drawing) -> None:
-        curve = min(self._curve, len(new) - 1)
+        place = _places(old, new, self._chosen)
+        curve = place.get(self._curve, min(self._curve, len(new) - 1))
         if curve < 0 <= len(new) - 1:
             curve = _first_visible(new)
-        same = curve == self._curve
-        points, segments = (self._points, self._segments) if same else (frozenset(), frozenset())
-        self._set(curve, points, segments)
+        chosen = {place[i]: points for i, points in self._chosen.items() if i in place}
+        segments = self._segments if self._curve in place else frozenset()
+        self._set(curve, chosen, segments)
 
     def _start_anew(self) -> None:
-        self._set(_first_visible(self._document.drawing), frozenset(), frozenset())
+        first = _first_visible(self._document.drawing)
+        self._set(first, {}, frozenset())
 
-    def _set(self, curve: int, points: frozenset[int], segments: frozenset[int]) -> None:
-        if curve >= 0:
-            shape = self._document.drawing[curve].curve
-            points = _below(points, len(shape.control_points))
-            segments = _below(segments, shape.segment_count)
+    def _set(self, curve: int, chosen: dict[int, Ints], segments: frozenset[int]) -> None:
+        drawing = self._document.drawing
+        if curve < 0:
+            chosen, segments = {}, frozenset()
         else:
-            points = segments = frozenset()
-        new = (curve, points, segments)
-        if new != (self._curve, self._points, self._segments):
-            self._curve, self._points, self._segments = new
+            chosen = {curve: _NOTHING, **chosen}
+            chosen = {i: self._valid(i, chosen[i], current=i == curve) for i in sorted(chosen)}
+            segments = _below(segments, drawing[curve].curve.segment_count)
+        if (curve, segments) != (self._curve, self._segments) or not _same(chosen, self._chosen):
+            self._curve, self._chosen, self._segments = curve, chosen, segments
+            self._points = None
             self._document.break_run()
             self.changed.emit()
 
+    def _valid(self, curve: int, points: Ints, *, current: bool) -> Ints:
+        """Those of some points that exist, and can be seen and edited unless the curve is the current one."""
+        item = self._document.drawing[curve]
+        if not current and not _is_open(item):
+            return _NOTHING
+        count = len(item.curve.control_points)
+        if points.size and (points[0] < 0 or points[-1] >= count):
+            return points[(points >= 0) & (points < count)]
+        return points
 
-def shaping_points(curve: Curve, segments: Iterable[int]) -> NDArray[np.intp]:
+
+def shaping_points(curve: Curve, segments: Iterable[int]) -> Ints:
     """Control points whose λ shape any of `segments`, ascending."""
     first = np.fromiter(segments, dtype=np.intp) + curve.first_segment
     points = np.unique(np.concatenate([first, first + 1]) % len(curve.control_points))
-    active: NDArray[np.intp] = points[curve.active_lambdas[points]]
+    active: Ints = points[curve.active_lambdas[points]]
     return active
+
+
+_NOTHING: Ints = np.empty(0, dtype=np.intp)
+
+
+def _is_open(item: Item) -> bool:
+    return item.visible and not item.locked
+
+
+def _ascending(points: Iterable[int]) -> Ints:
+    """Indices in ascending order, each once."""
+    array: Ints = points if isinstance(points, np.ndarray) else np.fromiter(points, dtype=np.intp)
+    return array if (array[1:] > array[:-1]).all() else np.unique(array)
+
+
+def _same(a: dict[int, Ints], b: dict[int, Ints]) -> bool:
+    return a.keys() == b.keys() and all(a[i] is b[i] or np.array_equal(a[i], b[i]) for i in a)
+
+
+def _places(old: Drawing, new: Drawing, curves: Iterable[int]) -> dict[int, int]:
+    """Where some curves of a drawing are in another that came of it; those that are gone have no place.
+
+    An item that is there unchanged is found wherever it is. The rest were edited: they are those that are new there,
+    in the same order, unless these are fewer.
+    """
+    shorter = min(len(old), len(new))
+    start = next((i for i in range(shorter) if old[i] is not new[i]), shorter)
+    same_end = next((i for i in range(shorter - start) if old[-1 - i] is not new[-1 - i]), shorter - start)
+    before, after = range(start, len(old) - same_end), range(start, len(new) - same_end)
+    moved = {id(new[i]): i for i in after}
+    known = {id(old[i]) for i in before}
+    edited = [i for i in before if id(old[i]) not in moved]
+    fresh = [i for i in after if id(new[i]) not in known]
+    places = dict(zip(edited, fresh, strict=False)) if len(edited) <= len(fresh) else {}
+    places.update((i, moved[id(old[i])]) for i in before if id(old[i]) in moved)
+    longer = len(new) - len(old)
+    result: dict[int, int] = {}
+    for i in curves:
+        if i < start:
+            result[i] = i
+        elif i >= before.stop:
+            result[i] = i + longer
+        elif i in places:
+            result[i] = places[i]
+    return result
 
 
 def _below(indices: frozenset[int], count: int) -> frozenset[int]:
