@@ -186,6 +186,23 @@ def test_the_save_dialog_completes_the_name_and_asks_before_replacing(window, tm
     assert "b.json" in asked[0]
 
 
+def test_saving_over_something_else_than_a_drawing_asks_once_more(window, monkeypatch, tmp_path):
+    notes = tmp_path / "notes.json"
+    notes.write_text("[1, 2]")
+    save_to(monkeypatch, notes)
+    asked = []
+    monkeypatch.setattr(QMessageBox, "warning", lambda *about: asked.append(about[2]) or about[-1])
+    trigger(window, "save_as")
+    assert notes.read_text() == "[1, 2]"
+    assert window.document.path is None
+    monkeypatch.setattr(QMessageBox, "warning", lambda *_: QMessageBox.StandardButton.Yes)
+    trigger(window, "save_as")
+    assert load(notes) == window.document.drawing
+    assert len(asked) == 1
+    assert f"{notes} holds something else than a drawing" in asked[0]
+    assert "the file must be an object with format" in asked[0]
+
+
 def test_letters_act_on_points_when_points_are_selected(window, qtbot):
     window.selection.select(points={5})
     qtbot.keyClick(window.canvas, Qt.Key.Key_I)

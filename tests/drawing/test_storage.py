@@ -1,12 +1,14 @@
 import errno
 import os
 import stat
+import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
 
-from theditor.drawing import Drawing, DrawingError, Item, encode, load, save
+from theditor.drawing import Drawing, DrawingError, Item, encode, load, save, unreadable, write_atomically
 from theditor.spline import Curve
 
 OLD = Drawing([Item(Curve([[0, 0], [1, 2], [3, 2], [4, 0]]), "old")])
@@ -87,7 +89,7 @@ def test_a_save_cut_off_by_the_system_leaves_the_old_file(tmp_path):
         sentence = refusal(save, NEW, path)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
-    assert sentence == f"{path} cannot be saved: File too large."
+    assert sentence == f"{path} cannot be saved: it would be larger than the system allows."
     assert load(path) == OLD
     assert list(tmp_path.iterdir()) == [path]
 
@@ -157,3 +159,92 @@ def test_a_fault_in_the_content_names_the_file(tmp_path):
     path = tmp_path / "bad.json"
     path.write_bytes(encode(OLD).replace(b'"degree": 3', b'"degree": 5'))
     assert refusal(load, path) == f"{path}: curves[0].degree must be 2 or 3."
+
+
+@pytest.mark.parametrize(
+    ("content", "reason"),
+    [
+        (b"not mine", "The text is not JSON"),
+        (encode(OLD).replace(b'"version": 1', b'"version": 2'), "version is 2, and 1 is the newest"),
+        (encode(OLD)[:-5], "The text is not complete JSON"),
+    ],
+)
+def test_what_is_no_readable_drawing_is_replaced_only_when_told_to(tmp_path, content, reason):
+    path = tmp_path / "other.json"
+    path.write_bytes(content)
+    assert unreadable(path).startswith(reason)
+    sentence = refusal(save, NEW, path)
+    assert sentence.startswith(f"{path} is not replaced")
+    assert reason in sentence
+    assert path.read_bytes() == content
+    save(NEW, path, overwrite=True)
+    assert load(path) == NEW
+    assert unreadable(path) is None
+
+
+def test_an_empty_file_may_be_saved_to(tmp_path):
+    (tmp_path / "empty.json").touch()
+    save(NEW, tmp_path / "empty.json")
+    assert load(tmp_path / "empty.json") == NEW
+
+
+def test_other_files_are_written_in_the_same_way(tmp_path):
+    path = tmp_path / "picture.svg"
+    write_atomically(path, b"old")
+    write_atomically(str(path), b"new")
+    assert path.read_bytes() == b"new"
+    assert refusal(write_atomically, tmp_path, b"") == f"{tmp_path} cannot be saved: it is a folder."
+    assert list(tmp_path.iterdir()) == [path]
+
+
+# One process that has loaded everything forks children, each of which saves until it is killed, at some moment
+# within the time that two saves take.
+KILLED_SAVES = """
+import os, random, signal, sys, time
+from pathlib import Path
+from theditor.drawing import Drawing, Item, encode, write_atomically
+from theditor.spline import Curve
+
+path = Path(sys.argv[1])
+contents = [encode(Drawing([Item(Curve([[i, i % 7] for i in range(n)]))])) for n in (3000, 4000)]
+found = dict.fromkeys(contents, 0)
+rng = random.Random(0)
+times = []
+for content in 5 * contents:
+    start = time.perf_counter()
+    write_atomically(path, content)
+    times.append(time.perf_counter() - start)
+for _ in range(200):
+    listen, say = os.pipe()
+    child = os.fork()
+    if child == 0:
+        others = [each for each in contents if each != path.read_bytes()]
+        os.write(say, b"!")
+        while True:
+            for content in others + contents:
+                write_atomically(path, content)
+    os.read(listen, 1)
+    time.sleep(rng.uniform(0, 2 * sorted(times)[5]))
+    os.kill(child, signal.SIGKILL)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == -signal.SIGKILL
+    os.close(listen)
+    os.close(say)
+    found[path.read_bytes()] += 1  # a KeyError would be a file in pieces
+print(*found.values())
+"""
+
+
+@posix
+def test_a_save_killed_at_any_moment_leaves_a_whole_file_and_its_remains_are_removed_later(tmp_path):
+    path = tmp_path / "drawing.json"
+    command = [sys.executable, "-c", KILLED_SAVES, path]
+    run = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    assert run.returncode == 0, run.stderr
+    assert min(map(int, run.stdout.split())) > 10  # both contents were met, so the kills fell among saves
+    remains = [each for each in tmp_path.iterdir() if each != path]
+    assert remains
+    fresh, *old = remains
+    for each in old:
+        os.utime(each, (0, time.time() - 7200))
+    save(NEW, path)
+    assert set(tmp_path.iterdir()) == {path, fresh}

@@ -6,6 +6,8 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
+from theditor.drawing import shown
+
 FILE_FILTER = "theditor drawings (*.json);;All files (*)"
 
 
@@ -35,3 +37,17 @@ def whether_to_save(parent: QWidget, title: str) -> QMessageBox.StandardButton:
         buttons.Save | buttons.Discard | buttons.Cancel,
         buttons.Save,
     )
+
+
+def whether_to_replace(parent: QWidget, path: Path, reason: str) -> bool:
+    """Ask whether a file that holds something else than a readable drawing may go."""
+    buttons = QMessageBox.StandardButton
+    answer = QMessageBox.warning(
+        parent,
+        "Not a drawing",
+        f"{shown(path)} holds something else than a drawing that this program can read, and saving would "
+        f"destroy it. Replace it?\n\n{reason}",
+        buttons.Yes | buttons.Cancel,
+        buttons.Cancel,
+    )
+    return bool(answer == buttons.Yes)

@@ -13,7 +13,7 @@ from theditor.app.problems import log
 from theditor.app.recent import recent_files, remember_file
 from theditor.app.tour import lead
 from theditor.app.view import keep_view, show_kept_view
-from theditor.drawing import Drawing, DrawingError, load
+from theditor.drawing import Drawing, DrawingError, load, unreadable
 from theditor.resources import gallery
 
 if TYPE_CHECKING:
@@ -81,7 +81,12 @@ class Files:
         document = self._window.document
         suggestion = document.path or Path(f"{document.title}.json")
         path = ask.where_to_save(self._window, suggestion)
-        return path is not None and self._save_to(path)
+        if path is None:
+            return False
+        reason = unreadable(path)
+        if reason and not ask.whether_to_replace(self._window, path, reason):
+            return False
+        return self._save_to(path, overwrite=True)
 
     def may_discard(self) -> bool:
         """Whether the drawing may go: nothing is unsaved, or the user saved it or gave it up."""
@@ -115,9 +120,9 @@ class Files:
             editor.setFocus()
         self._window.document.settle()
 
-    def _save_to(self, path: Path) -> bool:
+    def _save_to(self, path: Path, overwrite: bool = False) -> bool:
         try:
-            self._window.document.save(path)
+            self._window.document.save(path, overwrite)
         except DrawingError as error:
             self._report(error)
             return False

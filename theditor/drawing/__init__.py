@@ -3,7 +3,7 @@
 from theditor.drawing.change import Change, difference
 from theditor.drawing.drawing import Drawing, DrawingError, Item
 from theditor.drawing.schema import decode, encode
-from theditor.drawing.storage import load, save, shown
+from theditor.drawing.storage import load, save, shown, unreadable, write_atomically
 
 __all__ = [
     "Change",
@@ -16,4 +16,6 @@ __all__ = [
     "load",
     "save",
     "shown",
+    "unreadable",
+    "write_atomically",
 ]

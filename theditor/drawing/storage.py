@@ -5,7 +5,9 @@ from __future__ import annotations
 import errno
 import os
 import secrets
+import shutil
 import stat
+import time
 from contextlib import suppress
 from pathlib import Path
 
@@ -14,6 +16,10 @@ from theditor.drawing.schema import decode, encode
 
 # Room for a million points in space; more would more likely be a mistake than a drawing.
 MAX_BYTES = 128 * 2**20
+
+# Names of temporary files, and the age in seconds at which one is no longer being written.
+_PREFIX, _SUFFIX = ".theditor-", ".tmp"
+_ABANDONED = 3600.0
 
 _CAUSES = {
     errno.ENOENT: "there is no such file or folder",
@@ -25,6 +31,8 @@ _CAUSES = {
     errno.ENOSPC: "the disk is full",
     errno.EDQUOT: "the disk quota is used up",
     errno.ENAMETOOLONG: "the name is too long",
+    errno.ENXIO: "it is a device or a pipe, not a file",
+    errno.EFBIG: "it would be larger than the system allows",
     errno.ELOOP: "its symbolic links lead in a circle",
 }
 
@@ -47,17 +55,19 @@ def load(path: str | os.PathLike[str]) -> Drawing:
         raise DrawingError(f"{shown(path)}: {error}") from None
 
 
-def save(drawing: Drawing, path: str | os.PathLike[str]) -> None:
-    """Write a drawing to a file, atomically and durably.
+def save(drawing: Drawing, path: str | os.PathLike[str], overwrite: bool = False) -> None:
+    """Write a drawing to a file as `write_atomically` does.
 
-    The bytes go to a temporary file in the same folder, which replaces the target only once they are on the
-    disk, so a failure leaves the old file untouched. Symbolic links are followed and stay; the mode of an
-    existing file is kept. A hard link to the old file keeps the old drawing.
+    Parameters
+    ----------
+    overwrite
+        Whether the file may be replaced even if it holds something that is not a drawing of this version.
 
     Raises
     ------
     DrawingError
-        If the file cannot be written: one sentence with the file and the cause.
+        If the file cannot be written, or holds what `unreadable` tells of and `overwrite` is false: one
+        sentence with the file and the cause.
     """
     data = encode(drawing)
     if len(data) > MAX_BYTES:
@@ -65,6 +75,46 @@ def save(drawing: Drawing, path: str | os.PathLike[str]) -> None:
             f"{shown(path)} cannot be saved: the drawing takes {len(data) / 2**20:.0f} MiB, "
             f"and {MAX_BYTES // 2**20} MiB is the most a file may hold."
         )
+    if not overwrite and (reason := unreadable(path)):
+        raise DrawingError(
+            f"{shown(path)} is not replaced, since it holds something else than a drawing that this program "
+            f"can read; choose another name. ({reason})"
+        )
+    write_atomically(path, data)
+
+
+def unreadable(path: str | os.PathLike[str]) -> str | None:
+    """Tell why what a file holds is no drawing for `load`, so that saving there would destroy something else.
+
+    None if it is a drawing, is empty or is not there, and of folders and devices, which no save replaces.
+    """
+    try:
+        status = os.stat(path)
+    except (OSError, ValueError):
+        return None
+    if not stat.S_ISREG(status.st_mode) or not status.st_size:
+        return None
+    try:
+        decode(_read(Path(path)))
+    except DrawingError as error:
+        return str(error)
+    except OSError as error:
+        return f"It cannot be read: {_cause(error)}."
+    return None
+
+
+def write_atomically(path: str | os.PathLike[str], data: bytes) -> None:
+    """Write bytes to a file, atomically and durably: it holds the old content or the new, never a part.
+
+    The bytes go to a temporary file in the same folder, which replaces the target only once they are on the
+    disk. Symbolic links are followed and stay; permissions, extended attributes and, where the system lets
+    us, the owner of an existing file are kept. A hard link to the old file keeps the old content.
+
+    Raises
+    ------
+    DrawingError
+        If the file cannot be written: one sentence with the file and the cause.
+    """
     try:
         _replace(Path(os.path.realpath(path)), data)
     except (OSError, ValueError) as error:  # ValueError: no path can be spelt so
@@ -77,37 +127,60 @@ def shown(path: str | os.PathLike[str]) -> str:
 
 
 def _read(path: Path) -> bytes:
-    # Asked before opening: opening a pipe would wait for someone to write into it.
+    # Asked before opening, which alone may set a device going, and after, in case another file came between.
     _refuse_unless_regular(path.stat())
-    with path.open("rb") as file:
+    with open(path, "rb", opener=_open_without_waiting) as file:
+        _refuse_unless_regular(os.fstat(file.fileno()))
         data = file.read(MAX_BYTES + 1)
     if len(data) > MAX_BYTES:
         raise OSError(f"it holds more than {MAX_BYTES // 2**20} MiB, the most a drawing may take")
     return data
 
 
+def _open_without_waiting(path: str, flags: int) -> int:
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
+
+
 def _replace(target: Path, data: bytes) -> None:
-    mode = None
+    old = None
     with suppress(FileNotFoundError):
-        status = target.stat()
-        _refuse_unless_regular(status)
+        old = target.stat()
+        _refuse_unless_regular(old)
         if not os.access(target, os.W_OK):
             raise OSError("the file is read-only")
-        mode = stat.S_IMODE(status.st_mode)
-    temporary = target.with_name(f".theditor-{secrets.token_hex(8)}.tmp")
+    _sweep(target.parent)
+    temporary = target.with_name(f"{_PREFIX}{secrets.token_hex(8)}{_SUFFIX}")
     try:
         with temporary.open("xb") as file:
+            if old is not None:
+                _copy_permissions(target, old, temporary)
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
-        if mode is not None:
-            temporary.chmod(mode)
         os.replace(temporary, target)
     except BaseException:
         with suppress(OSError):
             temporary.unlink()
         raise
     _sync_folder(target.parent)
+
+
+def _copy_permissions(target: Path, status: os.stat_result, temporary: Path) -> None:
+    """Give a file, while it is still empty, the owner, mode and extended attributes of another."""
+    with suppress(OSError, AttributeError):  # only root gives files away, and not every system knows owners
+        os.chown(temporary, status.st_uid, status.st_gid)
+    with suppress(OSError):  # a file system without permissions has none to keep
+        shutil.copystat(target, temporary)
+
+
+def _sweep(folder: Path) -> None:
+    """Remove what saves that were killed left in a folder, once it is too old to belong to one at work."""
+    with suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
+            if entry.name.startswith(_PREFIX) and entry.name.endswith(_SUFFIX):
+                with suppress(OSError):
+                    if time.time() - entry.stat(follow_symlinks=False).st_mtime > _ABANDONED:
+                        os.unlink(entry.path)
 
 
 def _sync_folder(folder: Path) -> None:

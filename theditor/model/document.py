@@ -161,13 +161,13 @@ class Document(QObject):
         """Replace everything by a drawing that has no file yet."""
         self._start_anew(drawing, None, title)
 
-    def save(self, path: Path | None = None) -> None:
-        """Save to `path`, or to the document's own file.
+    def save(self, path: Path | None = None, overwrite: bool = False) -> None:
+        """Save to `path`, or to the document's own file; `overwrite` as for `theditor.drawing.save`.
 
         Raises
         ------
         DrawingError
-            The file cannot be written; the old file is as it was.
+            The file cannot be written, or is another one that holds no drawing; it is as it was.
         ValueError
             There is neither a path nor a file yet.
         """
@@ -175,7 +175,7 @@ class Document(QObject):
         path = path or self._path
         if path is None:
             raise ValueError("the drawing has no file yet: name one")
-        save(self._drawing, path)
+        save(self._drawing, path, overwrite or path == self._path)
         self._path = path
         self.undo_stack.setClean()
         self.renamed.emit()
