@@ -30,6 +30,14 @@ if os.environ["QT_QPA_PLATFORM"] == "offscreen":  # a real screen's sockets may 
     (HOME / "runtime").mkdir(mode=0o700)
     os.environ["XDG_RUNTIME_DIR"] = str(HOME / "runtime")
 
+# The same examples every time; THEDITOR_LONG_RUN=1 looks for others, and many more of them.
 # A slow or shared machine is no failure.
-settings.register_profile("theditor", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+LONG_RUN = bool(os.environ.get("THEDITOR_LONG_RUN"))
+settings.register_profile(
+    "theditor",
+    max_examples=1000 if LONG_RUN else 60,
+    derandomize=not LONG_RUN,
+    deadline=None,
+    suppress_health_check=[HealthCheck.too_slow],
+)
 settings.load_profile("theditor")

@@ -1,6 +1,6 @@
 """How fast a large curve is sampled, beside two yardsticks.
 
-    pytest tests/benchmarks/test_evaluation.py -s
+    pytest tests/benchmarks/test_evaluation.py -n 0 -s
 
 prints, for 10⁵ segments × 16 samples in the plane, the time of `Curve.sample` with `out` given, as a multiple of
 copying an array as large (the limit for anything that writes its result), and how many times longer

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from hand import CTRL, NONE
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from PySide6.QtCore import Qt
 
@@ -86,6 +86,7 @@ def selected(draw):
     return Curve(shape, draw(st.floats(-1, 2)), degree, closed, ends), chosen
 
 
+@settings(max_examples=25)
 @given(selected(), st.booleans())
 def test_inserting_and_removing_go_one_step_each_and_keep_count(case, segments):
     curve, chosen = case

@@ -100,9 +100,8 @@ def test_where_nothing_is_negative_the_hull_bounds_the_segment(curve):
         if len(corners) > 2:
 
             def outside(points, corners=corners, sides=sides):
-                gaps = points[:, None] - corners
-                crosses = sides[:, 0] * gaps[..., 1] - sides[:, 1] * gaps[..., 0]
-                return crosses.min() / size**2
+                gaps, along = (points[:, None] - corners) / size, sides / size
+                return (along[:, 0] * gaps[..., 1] - along[:, 1] * gaps[..., 0]).min()
 
             assert outside(defining_points(curve)[segment]) >= -1e-14
             if segment not in guarded:
@@ -118,6 +117,7 @@ def test_the_hull_has_corners_only_counterclockwise():
     inner = Curve([(0, 0), (1, 1), (4, 0), (0, 4)])
     assert hull(inner, 0).tolist() == [[0, 0], [4, 0], [0, 4]]
     assert hull(Curve([(3, 3)] * 4), 0).tolist() == [[3, 3]]
+    assert hull(Curve(np.multiply([(0, 0), (4, 0), (0, 4)], 1e-289), 0.0, 2), 0).shape == (3, 2)
     assert hull(Curve([(0, 0), (1, 1), (2, 2), (3, 3)]), 0).tolist() == [[0, 0], [3, 3]]
     clamped = Curve([(0, 0), (1, 1), (3, 0)], degree=2, ends="clamped")
     assert hull(clamped, 0).tolist() == [[-1, -1], [5, -1], [1, 1]]

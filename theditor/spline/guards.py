@@ -118,7 +118,9 @@ def hull(curve: Curve, segment: int) -> Floats:
     points = np.unique(matrix @ curve.control_points[indices], axis=0)
     if len(points) < 3:
         return points
-    return np.array(_chain(points)[:-1] + _chain(points[::-1])[:-1])
+    unit = 2.0 ** int(np.frexp(np.abs(points).max())[1])  # exact, and areas of tiny points do not vanish
+    points = points / unit
+    return np.array(_chain(points)[:-1] + _chain(points[::-1])[:-1]) * unit
 
 
 def _lowest(start: Floats, end: Floats, degree: int) -> tuple[Floats, Floats]:
