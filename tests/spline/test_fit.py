@@ -131,3 +131,19 @@ def test_any_scribble_gives_a_curve_and_its_true_deviation(scribble, closed):
 def test_what_makes_no_sense_is_refused(arguments, message):
     with pytest.raises(ValueError, match=message):
         fit(*arguments)
+
+
+@degrees
+def test_corners_given_are_met_exactly_and_nothing_else_is_one(degree):
+    square = np.array([(0.0, 0), (4, 0), (4, 3), (0, 3)])
+    curve, deviation = fit(square, degree, 0.01, closed=True, corners=range(4))
+    assert deviation < 1e-12
+    assert len(curve.control_points) == 4 * degree
+    assert np.hypot(*(curve.joints[:, None] - square).T).min(axis=1).max() < 1e-12
+    smooth, _ = fit(square, degree, 0.5, closed=True, corners=[])
+    assert np.hypot(*(smooth.joints[:, None] - square).T).min() > 0.01
+    for corners in ([1, 0], [0, 0], [4], [-1]):
+        with pytest.raises(ValueError, match="ascending indices from 0 to 3"):
+            fit(square, degree, corners=corners, closed=True)
+    with pytest.raises(ValueError, match="no point may repeat"):
+        fit([(0, 0), (1, 0), (1, 0), (1, 1)], degree, corners=[2])

@@ -1,6 +1,6 @@
 """A curve through a stroke: as few control points as keep it within a tolerance."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -50,7 +50,7 @@ def fit(
     closed: bool = False,
     ends: Ends = "clamped",
     shape: bool = True,
-    corners: bool = True,
+    corners: bool | Sequence[int] = True,
 ) -> Fitted:
     """Return a curve along a stroke or samples, with as few control points as meet a tolerance.
 
@@ -71,8 +71,9 @@ def fit(
         A curve with free ends is the clamped one with its reflected control points written out.
     shape : bool
         Whether λ is fitted too, where that saves control points; otherwise all are 0.
-    corners : bool
-        Whether turns of more than 60° within four tolerances become corners: repeated control points.
+    corners : bool or sequence of int
+        Whether turns of more than 60° within four tolerances become corners: repeated control points. Or which
+        points are to be corners, ascending; then no point may repeat the one before.
 
     Raises
     ------
@@ -84,8 +85,12 @@ def fit(
     check_ends(ends)
     if not 0 < tolerance < np.inf:
         raise ValueError(f"tolerance must be a positive number, not {tolerance!r}")
-    stroke = strokes.cleaned(clean_points(points), closed)
-    at = strokes.corners(stroke, tolerance, closed) if corners else []
+    given = clean_points(points)
+    stroke = strokes.cleaned(given, closed)
+    if isinstance(corners, bool):
+        at = strokes.corners(stroke, tolerance, closed) if corners else []
+    else:
+        at = _corners_given(corners, given, stroke, closed)
     if closed and not at:
         return _fewest(
             stroke, lambda count: _ring(stroke, count, degree, tolerance), 3, tolerance, shape
@@ -101,6 +106,17 @@ def fit(
         curve = with_free_ends(curve)
     # As a whole: a part of the stroke may have come nearer to another part of the curve.
     return Fitted(curve, strokes.distance(np.concatenate(parts), curve, where))
+
+
+def _corners_given(corners: Sequence[int], given: Floats, stroke: Floats, closed: bool) -> list[int]:
+    """Return the corners that were asked for, if there can be corners there."""
+    if len(given) != len(stroke):
+        raise ValueError("with corners given, no point may repeat the one before it")
+    at = [int(index) for index in corners]
+    inner = range(len(stroke)) if closed else range(1, len(stroke) - 1)
+    if sorted(set(at)) != at or not set(at) <= set(inner):
+        raise ValueError(f"corners must be ascending indices from {inner.start} to {inner.stop - 1}")
+    return at
 
 
 def _fit_part(
