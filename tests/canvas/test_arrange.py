@@ -45,7 +45,7 @@ def test_only_the_selected_points_are_arranged_in_one_step(canvas):
     after = canvas.document.drawing[0].curve.control_points
     assert after[[1, 3], 0].tolist() == [1.0, 1.0]
     assert np.delete(after, [1, 3], axis=0).tolist() == np.delete(before, [1, 3], axis=0).tolist()
-    assert canvas.document.undo_stack.undoText() == "Align left"
+    assert canvas.document.undo_stack.undoText() == "Align left: 2 control points"
     canvas.selection.select(points=())
     arrange(canvas.document, canvas.selection, "Flip horizontally", flipped(0))
     assert canvas.document.drawing[0].curve.control_points[0, 0] == pytest.approx(8.0)

@@ -142,7 +142,7 @@ def test_a_run_of_nudges_is_one_step_and_another_selection_begins_another(canvas
         qtbot.keyClick(canvas, Key.Key_Right)
     qtbot.keyClick(canvas, Key.Key_Up)
     stack = canvas.document.undo_stack
-    assert (stack.count(), stack.undoText()) == (1, "Nudge")
+    assert (stack.count(), stack.undoText()) == (1, "Nudge control point")
     canvas.selection.select(points={2})
     qtbot.keyClick(canvas, Key.Key_Right)
     assert stack.count() == 2

@@ -62,7 +62,11 @@ class ContextMenus(QObject):
         """Select what lies under a pixel of the canvas, unless it is already, and say what it is."""
         selection = self._window.selection
         match self._window.canvas.hit(np.array([at.x(), at.y()], dtype=float)):
-            case PointHit(point) | JointHit(point):
+            case PointHit(curve, point):
+                if point not in selection.chosen[curve]:
+                    selection.select(curve=curve, points={point}, segments=())
+                return "point"
+            case JointHit(point):
                 if point not in selection.points:
                     selection.select(points={point}, segments=())
                 return "point"

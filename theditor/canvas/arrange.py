@@ -6,9 +6,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from theditor.canvas.projection import projected
+from theditor.canvas.held import Held
 from theditor.canvas.viewport import Floats
 from theditor.model import Document, Selection
+from theditor.model.words import points_counted
 
 Arrange = Callable[[Floats], Floats]
 
@@ -50,11 +51,11 @@ def distributed(axis: int) -> Arrange:
 
 
 def arrange(document: Document, selection: Selection, text: str, how: Arrange) -> None:
-    """Apply `how` to the selected control points, or to all if none is selected, in one step called `text`."""
-    item = selection.item
-    assert item is not None, "what is arranged is there"
-    curve = item.curve
-    chosen = np.array(sorted(selection.points) or range(len(curve.control_points)), dtype=np.intp)
-    points = curve.control_points[chosen]
-    points[:, :2] = how(projected(curve).control_points[chosen])
-    document.apply_curve(text, selection.curve, curve.with_points(chosen, points))
+    """Apply `how` to the selected control points, or to all of the selected curves if there is none.
+
+    They are arranged as one set, whichever curves they are on, in one step that is called `text` and counts them.
+    """
+    document.settle()
+    held = Held(document.drawing, selection.in_hand)
+    chosen = selection.across
+    document.apply(f"{text}: {points_counted(chosen)}" if chosen else text, held.at(how(held.places)))

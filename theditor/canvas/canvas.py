@@ -15,7 +15,7 @@ from theditor.canvas.cursors import cursor_over
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.fit import fitted
 from theditor.canvas.freehand import FreehandTool
-from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, SegmentHit, exists, parameter_of
+from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit, exists, parameter_of
 from theditor.canvas.legend import Legend
 from theditor.canvas.pen import PenTool
 from theditor.canvas.picking import key_of
@@ -27,7 +27,7 @@ from theditor.canvas.tool import Bench, Keys, Tool
 from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pan, Pointer
 from theditor.canvas.view import PlaneView
 from theditor.canvas.viewport import Floats
-from theditor.canvas.words import Pointed, describe, hint, reasons, warning
+from theditor.canvas.words import Pointed, describe, hint, reasons, selected, warning
 from theditor.drawing import Drawing
 from theditor.model import Document, Selection, colours_for, unbreakable
 from theditor.spline import CONVEX_HULL_RANGE, PULL_BOUNDS
@@ -142,6 +142,8 @@ class Canvas(PlaneView):
             selection.curve,
             selection.points,
             selection.segments,
+            {i: of for i, of in selection.chosen.items() if i != selection.curve},
+            self._select.box,
             self._valid_hit(),
             self.plane,
             self._shown,
@@ -160,7 +162,7 @@ class Canvas(PlaneView):
     def _valid_hit(self) -> Hit:
         """What is hovered, unless the drawing has changed under the pointer so that it is gone."""
         hit, drawing = self._hit, self._document.drawing
-        index = hit.curve if isinstance(hit, SegmentHit) else self._selection.curve
+        index = hit.curve if isinstance(hit, SegmentHit | PointHit) else self._selection.curve
         return hit if 0 <= index < len(drawing) and exists(hit, drawing[index].curve) else None
 
     def show_place(self, u: float | None) -> None:
@@ -252,7 +254,7 @@ class Canvas(PlaneView):
             position = (x, y)
         drawing, current = self._document.drawing, self._selection.curve
         hit = self._valid_hit()
-        over = describe(hit, drawing, current)
+        over = describe(hit, drawing, current) or selected(self._selection)
         u = parameter_of(hit, current, drawing[current].curve) if current >= 0 else None
         told = self._tool.hint or (self._drag is None and warning(self._selection)) or hint(hit, self._drag)
         self.pointed.emit(Pointed(position, over, told, plane.scale, u))

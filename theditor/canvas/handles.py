@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from enum import IntEnum
 from functools import lru_cache
 from typing import Any
@@ -82,7 +83,7 @@ def paint_handles(
     painter: QPainter,
     curve: Curve,
     viewport: Viewport,
-    selected: frozenset[int],
+    selected: Collection[int] | Ints,
     hovered: int | None,
     colours: Colours,
 ) -> None:
@@ -90,7 +91,7 @@ def paint_handles(
     pixels = viewport.to_pixels(curve.control_points)
     visible = np.flatnonzero(_inside(pixels, viewport))
     looks = np.where(curve.active_lambdas, Look.PLAIN, Look.INACTIVE)
-    looks[sorted(selected)] = Look.SELECTED
+    looks[np.fromiter(selected, dtype=np.intp, count=len(selected))] = Look.SELECTED
     ratio = painter.device().devicePixelRatioF()
     if hovered is not None and hovered < len(pixels):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

@@ -23,8 +23,9 @@ JOINT_REACH = 6.0
 
 @dataclass(frozen=True)
 class PointHit:
-    """A control point of the current curve."""
+    """A control point of a selected curve."""
 
+    curve: int
     index: int
 
 
@@ -121,7 +122,7 @@ def _near(curve: Curve, u: float, at: Floats, plane: Viewport) -> bool:
 def exists(hit: Hit, curve: Curve) -> bool:
     """Whether what was hit is still there on a curve that may have changed."""
     match hit:
-        case PointHit(index):
+        case PointHit(_, index):
             return index < len(curve.control_points)
         case JointHit(point):
             return (

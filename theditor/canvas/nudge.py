@@ -6,8 +6,9 @@ import numpy as np
 from PySide6.QtCore import QSettings, Qt
 
 from theditor.canvas.grid import steps
-from theditor.canvas.projection import moved
+from theditor.canvas.held import Held
 from theditor.canvas.tool import Bench, Keys
+from theditor.model.words import points_counted
 from theditor.spline import MAX_COORDINATE
 
 ARROWS: dict[int, tuple[float, float]] = {
@@ -24,16 +25,16 @@ def nudge(bench: Bench, keys: Keys) -> bool:
     The step is the preference ``nudge`` in units or, while that is not set, the distance of the grid's minor
     lines; ten of them with Shift; one pixel with Ctrl. Steps that follow each other are one undo step.
     """
-    item, chosen = bench.selection.item, np.array(sorted(bench.selection.points), dtype=np.intp)
-    direction = ARROWS.get(keys.key)
-    if direction is None or item is None or item.locked or not item.visible or not len(chosen):
+    direction, chosen = ARROWS.get(keys.key), bench.selection.movable
+    if direction is None or not chosen:
         return False
     scale = bench.view.plane.scale
     step = 1.0 / scale if keys.ctrl else preferred_step() or steps(scale)[1]
     offset = np.array(direction) * step * (10 if keys.shift else 1)
-    points = moved(item.curve.control_points[chosen], offset).clip(-MAX_COORDINATE, MAX_COORDINATE)
-    curve = item.curve.with_points(chosen, points)
-    bench.document.apply_curve("Nudge", bench.selection.curve, curve, merge=tuple(chosen.tolist()))
+    bench.document.settle()
+    held = Held(bench.document.drawing, chosen)
+    same = tuple((i, of.tobytes()) for i, of in chosen.items())
+    bench.document.apply(f"Nudge {points_counted(chosen)}", held.at(held.places + offset), merge=same)
     return True
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.hit_test import (
     BoxHit,
@@ -23,17 +25,25 @@ FAVOUR = 2.0
 Key = tuple[str, int, int]
 
 
-def pick(at: Floats, drawing: Drawing, current: int, curves: CurvesPainter, plane: Viewport) -> list[Hit]:
-    """What can be grabbed at a pixel: handles before curves, the current curve before others.
+def pick(
+    at: Floats,
+    drawing: Drawing,
+    current: int,
+    selected: Iterable[int],
+    curves: CurvesPainter,
+    plane: Viewport,
+) -> list[Hit]:
+    """What can be grabbed at a pixel: handles of selected curves before curves, the current curve before others.
 
     Locked and hidden curves are not there. Of segments that merely meet only the nearest counts; where a
     curve crosses itself, both do.
     """
     curves.update(drawing, plane)
     hits: list[Hit] = []
-    if current >= 0 and drawing[current].visible and not drawing[current].locked:
-        pixels = plane.to_pixels(curves.plane_curve(current).control_points)
-        hits += [PointHit(index) for index in near_handles(pixels, at)]
+    for i in sorted(selected, key=lambda i: (i != current, -i)):
+        if drawing[i].visible and not drawing[i].locked:
+            pixels = plane.to_pixels(curves.plane_curve(i).control_points)
+            hits += [PointHit(i, index) for index in near_handles(pixels, at)]
     found: list[tuple[float, SegmentHit]] = []
     for i in sorted(range(len(drawing)), key=lambda i: (i != current, -i)):
         if drawing[i].visible and not drawing[i].locked:
@@ -62,8 +72,8 @@ def _topmost_first(found: list[tuple[float, SegmentHit]]) -> list[SegmentHit]:
 def key_of(hit: Hit, current: int) -> Key | None:
     """What a hit would grab, whatever its exact place and whichever curve becomes current."""
     match hit:
-        case PointHit(index):
-            return "point", current, index
+        case PointHit(curve, index):
+            return "point", curve, index
         case BoxHit(kind, x, y):
             return kind, x, y
         case JointHit(point):

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen
 
@@ -17,11 +19,13 @@ from theditor.canvas.projection import projected
 from theditor.canvas.shaping import track_of
 from theditor.canvas.sketch import Sketch, paint_sketch
 from theditor.canvas.snapping import Snapped
-from theditor.canvas.transform import box_around, paint_box
+from theditor.canvas.transform import Box, paint_box
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.drawing import Drawing
 from theditor.model import Colours
 from theditor.spline import Curve, Track, hull, joint_track, middle_track
+
+Ints = NDArray[np.intp]
 
 MOST_HULLS = 50
 """Of more selected segments only the first show their convex hulls."""
@@ -57,6 +61,10 @@ class Frame:
     current: int
     points: frozenset[int]
     segments: frozenset[int]
+    others: Mapping[int, Ints]
+    """Selected control points of other selected curves, by the curve; their handles show, too."""
+    box: Box | None
+    """The box around all selected control points."""
     hit: Hit
     plane: Viewport
     shown: Shown
@@ -120,7 +128,10 @@ def _paint_curves(painter: QPainter, frame: Frame, curves: CurvesPainter) -> Non
         curves.paint_ghost(painter, frame.before, drawing, plane, colours)
     if frame.shown.uniform:
         overlays.paint_uniform(painter, curve, plane, colours)
+    others = [(i, curves.plane_curve(i), points) for i, points in frame.others.items() if drawing[i].visible]
     if frame.shown.polygon:
+        for _, other, _ in others:
+            handles.paint_polygon(painter, other, plane, colours)
         handles.paint_polygon(painter, curve, plane, colours)
     _paint_curvature(painter, frame, curve)
     curves.paint_halo(painter, current, frame.segments, plane, colours)
@@ -135,15 +146,21 @@ def _paint_curves(painter: QPainter, frame: Frame, curves: CurvesPainter) -> Non
         overlays.paint_place(painter, plane.to_pixels(curve(frame.place)), colours)
     if frame.miss is not None:
         overlays.paint_miss(painter, plane.to_pixels(frame.miss), colours)
-    hovered = frame.hit.index if isinstance(frame.hit, PointHit) else None
-    box = box_around(curve, frame.points)
-    if box is not None and frame.marquee is None and not drawing[current].locked:
-        paint_box(painter, box, plane, colours)
-    handles.paint_handles(painter, curve, plane, frame.points, hovered, colours)
+    if frame.box is not None and frame.marquee is None:
+        paint_box(painter, frame.box, plane, colours)
+    for i, other, points in others:
+        handles.paint_handles(painter, other, plane, points, _hovered(frame, i), colours)
+    handles.paint_handles(painter, curve, plane, frame.points, _hovered(frame, current), colours)
     for track in _tracks(frame, curve):
         overlays.paint_track(painter, curve, track, plane, colours, frame.font)
     if frame.shown.labels:
         _paint_labels(painter, frame, curve, curves)
+
+
+def _hovered(frame: Frame, index: int) -> int | None:
+    """The control point of a curve that is under the pointer."""
+    hit = frame.hit
+    return hit.index if isinstance(hit, PointHit) and hit.curve == index else None
 
 
 def _paint_curvature(painter: QPainter, frame: Frame, curve: Curve) -> None:

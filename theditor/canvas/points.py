@@ -8,10 +8,14 @@ from collections.abc import Callable
 import numpy as np
 
 from theditor.canvas.viewport import Floats
+from theditor.drawing import Drawing
 from theditor.model import Document, Selection
-from theditor.model.words import counted, indexed, number, symbols
+from theditor.model.words import counted, indexed, listed, number, points_counted, symbols
 from theditor.spline import Curve, corners, fewest_points
 from theditor.spline import points as edits
+
+MOST_NAMED = 3
+"""More curves than this are counted, not named."""
 
 
 def insert_at(document: Document, selection: Selection, u: float) -> str:
@@ -58,17 +62,30 @@ def insert_on_edge(document: Document, selection: Selection, edge: int, fraction
 
 
 def remove(document: Document, selection: Selection, *, refit: bool) -> str:
-    """Remove the selected control points, or the whole curve if too few would stay."""
-    item, chosen = selection.item, sorted(selection.points)
-    assert item is not None, "there is a selection"
-    if takes_the_curve(item.curve, len(chosen)):
-        document.apply("Delete curve", document.drawing.without(selection.curve))
-        return f"Deleted “{item.name}”: too few control points would have stayed"
-    curve, deviation = edits.remove(item.curve, chosen, refit)
-    text = "Delete control point" if len(chosen) == 1 else f"Delete {len(chosen)} control points"
-    document.apply_curve(text, selection.curve, curve)
+    """Remove the selected control points, of all curves; a curve on which too few would stay goes whole."""
+    document.settle()
+    drawing, chosen, gone = document.drawing, selection.movable, doomed(selection)
+    new: dict[int, Curve] = {}
+    deviation = 0.0
+    for i, of in chosen.items():
+        if i not in gone:
+            new[i], change = edits.remove(drawing[i].curve, of.tolist(), refit)
+            deviation = max(deviation, change)
+    names = [f"“{drawing[i].name}”" for i in gone]
+    deleted = counted(len(gone), "curve") if len(gone) > MOST_NAMED else listed(names) if gone else ""
+    told = []
+    text = f"Delete {points_counted(chosen)}"
+    if new:
+        count = sum(len(chosen[i]) for i in new)
+        told.append(f"Deleted {counted(count, 'control point')}; {changed(deviation, *new.values())}")
+    else:
+        text = "Delete curve" if len(gone) == 1 else f"Delete {len(gone)} curves"
+    if gone:
+        told.append(f"Deleted {deleted}: too few control points would have stayed")
+    left = drawing.with_curves(new)
+    document.apply(text, Drawing(item for i, item in enumerate(left) if i not in gone))
     selection.select(points=(), segments=())
-    return f"Deleted {counted(len(chosen), 'control point')}; {changed(deviation, curve)}"
+    return ". ".join(told)
 
 
 def make_corners(document: Document, selection: Selection) -> str:
@@ -118,9 +135,15 @@ def takes_the_curve(curve: Curve, count: int) -> bool:
     return len(curve.control_points) - count < fewest_points(curve.degree, curve.closed, curve.ends)
 
 
-def changed(deviation: float, curve: Curve) -> str:
-    """Say how far a shape is from what it was."""
-    size = float(np.ptp(curve.control_points, axis=0).max())
+def doomed(selection: Selection) -> list[int]:
+    """The curves that would be none without their selected control points."""
+    chosen = selection.movable.items()
+    return [i for i, of in chosen if takes_the_curve(selection.drawing[i].curve, len(of))]
+
+
+def changed(deviation: float, *curves: Curve) -> str:
+    """Say how far the shape of curves is from what it was."""
+    size = max(float(np.ptp(curve.control_points, axis=0).max()) for curve in curves)
     if deviation <= 1e-9 * size:
         return "the shape is the same"
     return f"the shape changed by at most {number(_rounded_up(deviation))}"

@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import Qt
 
 from theditor.canvas import points
+from theditor.canvas.held import Held
 from theditor.canvas.hit_test import (
     REACH,
     BoxHit,
@@ -48,20 +49,18 @@ class SelectTool:
         """What can be grabbed at a pixel, topmost first."""
         bench = self._bench
         plane = bench.view.plane
-        hits = pick(at, bench.document.drawing, bench.selection.curve, bench.curves, plane)
-        box = self._box
+        selection = bench.selection
+        hits = pick(at, bench.document.drawing, selection.curve, selection.curves, bench.curves, plane)
+        box = self.box
         grip = pick_box(box, at, plane) if box is not None else None
         if grip is not None:
             hits.insert(sum(isinstance(hit, PointHit) for hit in hits), grip)
         return hits
 
     @property
-    def _box(self) -> Box | None:
-        """The box around the selected points, if they can be moved."""
-        item, chosen = self._bench.selection.item, self._bench.selection.points
-        if item is None or item.locked or not item.visible:
-            return None
-        return box_around(projected(item.curve), chosen)
+    def box(self) -> Box | None:
+        """The box around the selected points that can be moved."""
+        return box_around(Held(self._bench.document.drawing, self._bench.selection.movable).places)
 
     def hover(self, pointer: Pointer) -> Hit:
         """What would be grabbed."""
@@ -144,15 +143,15 @@ class SelectTool:
         bench = self._bench
         document, selection = bench.document, bench.selection
         if isinstance(hit, PointHit):
-            return MovePoints(document, selection, pointer, hit.index, bench.snapper)
+            return MovePoints(document, selection, pointer, hit, bench.snapper)
         if isinstance(hit, SegmentHit):
             return PullCurve(document, selection, pointer, hit, bench.bounds(hit.curve))
-        box = self._box
+        box = self.box
         if isinstance(hit, BoxHit) and box is not None:
             return Transform(document, selection, pointer.point, hit, box)
         if isinstance(hit, JointHit | MiddleHit):
             return SlideJoint(document, selection, pointer, hit, bench.bounds(selection.curve))
-        return Marquee(selection, pointer)
+        return Marquee(document, selection, pointer)
 
     def key(self, keys: Keys) -> bool:
         """Tab steps through the control points, arrows nudge them, Escape selects nothing."""
@@ -183,7 +182,7 @@ class SelectTool:
     @property
     def keys(self) -> frozenset[int]:
         """The arrows, while there are points to nudge."""
-        return frozenset(ARROWS) if self._bench.selection.points else frozenset()
+        return frozenset(ARROWS) if self._bench.selection.movable else frozenset()
 
     def leave(self) -> None:
         """Let go of what is selected: other tools do nothing with it."""

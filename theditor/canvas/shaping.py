@@ -124,10 +124,10 @@ class SlideJoint:
         hit: JointHit | MiddleHit,
         bounds: Bounds,
     ) -> None:
-        self._document, self._selection = document, selection
+        self._document = document
         self._curve = selection.curve
         self._press, self._bounds = press, bounds
-        self._before = selection.points, selection.segments
+        self._restore = selection.remember()
         item = selection.item
         assert item is not None, "what is hit is on the current curve"
         plane = projected(item.curve)
@@ -138,8 +138,10 @@ class SlideJoint:
         self.note = ""
         self._gesture: Gesture | None = None
         if isinstance(hit, JointHit):
-            points = selection.points ^ {hit.point} if press.shift else {hit.point}
-            selection.select(points=points, segments=selection.segments if press.shift else ())
+            if press.shift:
+                selection.toggle(selection.curve, hit.point)
+            else:
+                selection.select(points={hit.point}, segments=())
         else:
             selection.select(points=(), segments={hit.segment})
 
@@ -181,8 +183,7 @@ class SlideJoint:
         """Put λ back; the selection is as before the press."""
         if self._gesture is not None:
             self._gesture.cancel()
-        points, segments = self._before
-        self._selection.select(points=points, segments=segments)
+        self._restore()
 
 
 def track_of(plane: Curve, hit: JointHit | MiddleHit) -> Track:

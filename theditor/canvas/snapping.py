@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,21 +31,24 @@ class Snapped:
 
 @dataclass(frozen=True)
 class Moving:
-    """What moves with the hand and can be no goal: control points of a curve, and the segments they shape."""
+    """What moves with the hand and can be no goal: control points of curves, and the segments they shape."""
 
-    curve: int
-    points: Ints
-    segments: Ints
-
-
-STILL = Moving(-1, NOTHING, NOTHING)
+    points: Mapping[int, Ints]
+    segments: Mapping[int, Ints]
 
 
-def moving(index: int, curve: Curve, points: Ints) -> Moving:
-    """What moves when some control points of a plane curve do."""
+STILL = Moving({}, {})
+
+
+def moving(drawing: Drawing, points: Mapping[int, Ints]) -> Moving:
+    """What moves when control points of some curves do."""
+    return Moving(points, {i: _shaped(drawing[i].curve, of) for i, of in points.items()})
+
+
+def _shaped(curve: Curve, points: Ints) -> Ints:
     here = curve.control_points[points]
     segments = changed_segments(curve, curve.with_points(points, np.where(here > 0, here - 1, here + 1)))
-    return Moving(index, points, NOTHING if segments is None else segments)
+    return NOTHING if segments is None else segments
 
 
 class Snapper:
@@ -76,7 +80,7 @@ class Snapper:
         found = []
         for i in visible:
             points = self._curves.plane_curve(i).control_points
-            own = moves.points if i == moves.curve else NOTHING
+            own = moves.points.get(i, NOTHING)
             near = [p for p in near_handles(plane.to_pixels(points), at) if p not in own]
             found += [(points[p], indexed("P", p)) for p in near[:1]]
         return _nearest(found, at, plane)
@@ -85,7 +89,7 @@ class Snapper:
         found = []
         for i in visible:
             joints = self._curves.plane_curve(i).joints
-            gone = moves.segments if i == moves.curve else NOTHING
+            gone = moves.segments.get(i, NOTHING)
             barred = set(gone.tolist()) | {s + 1 for s in gone.tolist()}
             near = [j for j in near_handles(plane.to_pixels(joints), at) if j not in barred]
             found += [(joints[j], "joint") for j in near[:1]]
@@ -94,7 +98,7 @@ class Snapper:
     def _curve(self, at: Floats, visible: list[int], moves: Moving) -> Snapped | None:
         best: tuple[float, int, float] | None = None
         for i in visible:
-            gone = moves.segments if i == moves.curve else NOTHING
+            gone = moves.segments.get(i, NOTHING)
             strokes = [part for stroke in self._curves.trace(i).strokes() for part in without(stroke, gone)]
             for away, segment, t in near_places(strokes, at, self._curves.plane_curve(i).segment_count)[:1]:
                 if best is None or away < best[0]:

@@ -11,11 +11,13 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from theditor.canvas.projection import moved, projected
+from theditor.canvas.held import Held, every_point
+from theditor.canvas.hit_test import PointHit
+from theditor.canvas.projection import projected
 from theditor.canvas.snapping import STILL, Snapped, Snapper, moving
 from theditor.canvas.viewport import Viewport
 from theditor.model import Document, Gesture, Selection
-from theditor.spline import MAX_COORDINATE
+from theditor.model.words import points_counted
 
 Floats = NDArray[np.float64]
 
@@ -62,81 +64,80 @@ class Still:
 
 
 class MovePoints:
-    """Drag the selected control points; Ctrl keeps to the horizontal or the vertical.
+    """Drag the selected control points, of all curves; Ctrl keeps to the horizontal or the vertical.
 
     The point that was pressed is drawn to what lies near, if snapping is on, but not with Shift or Ctrl held.
     """
 
     def __init__(
-        self, document: Document, selection: Selection, press: Pointer, index: int, snapper: Snapper
+        self, document: Document, selection: Selection, press: Pointer, hit: PointHit, snapper: Snapper
     ) -> None:
         self._document, self._selection, self._snapper = document, selection, snapper
-        self._press, self._index = press, index
-        self._curve = selection.curve
-        self._was_selected = index in selection.points
-        self._points_before = selection.points
+        self._press, self._hit = press, hit
+        self._restore = selection.remember()
+        self._was_selected = hit.index in selection.chosen.get(hit.curve, ())
         self._gesture: Gesture | None = None
         self._moving = STILL
         self.snapped: Snapped | None = None
         """What the pressed point is drawn to."""
         if press.shift:
-            selection.select(points=selection.points ^ {index})
-        elif not self._was_selected:
-            selection.select(points={index})
+            selection.toggle(hit.curve, hit.index)
+        elif self._was_selected:
+            selection.select_across(selection.chosen, hit.curve)
+        else:
+            selection.select(curve=hit.curve, points={hit.index})
 
     def move(self, pointer: Pointer) -> None:
         """Preview the points at their start plus the whole offset."""
-        item = self._selection.item
-        if item is None or item.locked:
-            return
+        drawing, hit = self._document.drawing, self._hit
         if self._gesture is None:
-            if self._index not in self._selection.points:
-                self._selection.select(points=self._selection.points | {self._index})
-            chosen = sorted(self._selection.points)
-            self._chosen = np.array(chosen, dtype=np.intp)
-            text = "Move control point" if len(chosen) == 1 else f"Move {len(chosen)} control points"
-            self._gesture = self._document.begin(text)
-            self._moving = moving(self._curve, projected(item.curve), self._chosen)
-        before = self._gesture.before
-        curve = before[self._curve].curve
+            if hit.index not in self._selection.chosen[hit.curve]:
+                self._selection.toggle(hit.curve, hit.index)
+            chosen = self._selection.movable
+            self._gesture = self._document.begin(f"Move {points_counted(chosen)}")
+            self._held = Held(self._gesture.before, chosen)
+            self._grabbed = projected(drawing[hit.curve].curve).control_points[hit.index]
+            self._moving = moving(drawing, chosen) if self._snapper.on else STILL
         offset = pointer.point - self._press.point
         self.snapped = None
         if pointer.ctrl:
             offset[int(np.argmin(np.abs(offset)))] = 0.0
         elif not pointer.shift:
-            grabbed = projected(curve).control_points[self._index]
-            self.snapped = self._snapper(
-                grabbed + offset, self._document.drawing, pointer.plane, self._moving
-            )
+            self.snapped = self._snapper(self._grabbed + offset, drawing, pointer.plane, self._moving)
             if self.snapped is not None:
-                offset = self.snapped.point - grabbed
-        points = moved(curve.control_points[self._chosen], offset).clip(-MAX_COORDINATE, MAX_COORDINATE)
-        self._gesture.preview(before.with_curve(self._curve, curve.with_points(self._chosen, points)))
+                offset = self.snapped.point - self._grabbed
+        self._gesture.preview(self._held.at(self._held.places + offset))
 
     def release(self, pointer: Pointer) -> None:
         """Commit the move; a click on one of several selected points selects it alone."""
         if self._gesture is not None:
             self._gesture.commit()
         elif self._was_selected and not self._press.shift:
-            self._selection.select(points={self._index})
+            self._selection.select(curve=self._hit.curve, points={self._hit.index})
 
     def cancel(self) -> None:
         """Put the points back; the selection is as before the press."""
         if self._gesture is not None:
             self._gesture.cancel()
-        self._selection.select(points=self._points_before)
+        self._restore()
 
 
 class PickSegment:
-    """A press on a curve: makes it current and selects the segment; Shift adds to or removes from the selection."""
+    """A press on a curve: makes it current and selects the segment.
+
+    Shift adds the segment to what is selected, or takes it away; so it does with another curve as a whole.
+    """
 
     def __init__(self, selection: Selection, press: Pointer, curve: int, segment: int) -> None:
-        self._selection = selection
-        self._before = selection.curve, selection.points, selection.segments
-        if press.shift and curve == selection.curve:
-            selection.select(segments=selection.segments ^ {segment})
-        else:
+        self._restore = selection.remember()
+        if not press.shift:
             selection.select(curve=curve, points=(), segments={segment})
+        elif curve == selection.curve:
+            selection.select_across(selection.chosen, curve, selection.segments ^ {segment})
+        elif curve in selection.chosen:
+            selection.select_across({i: of for i, of in selection.chosen.items() if i != curve})
+        else:
+            selection.select_across({**selection.chosen, curve: ()})
 
     def move(self, pointer: Pointer) -> None:
         """The press did all there is to do."""
@@ -146,34 +147,38 @@ class PickSegment:
 
     def cancel(self) -> None:
         """Select what was selected before the press."""
-        curve, points, segments = self._before
-        self._selection.select(curve=curve, points=points, segments=segments)
+        self._restore()
 
 
 class Marquee:
-    """A rectangle that selects the control points inside; Shift adds, Ctrl+Shift removes. A click selects nothing."""
+    """A rectangle that selects the control points inside, of all curves that are visible and not locked.
 
-    def __init__(self, selection: Selection, press: Pointer) -> None:
-        self._selection, self._press = selection, press
-        self._before = selection.points, selection.segments
+    Shift adds them to what was selected, Ctrl+Shift removes them. A click selects nothing.
+    """
+
+    def __init__(self, document: Document, selection: Selection, press: Pointer) -> None:
+        self._document, self._selection, self._press = document, selection, press
+        self._curve, self._before, self._segments = selection.curve, selection.chosen, selection.segments
+        self._restore = selection.remember()
         self.corners: Floats | None = None
         """Two opposite corners in the plane, (2, 2), once it is open."""
 
     def move(self, pointer: Pointer) -> None:
         """Select what the rectangle holds now."""
+        if self.corners is None:
+            self._held = every_point(self._document.drawing)
+            self._chosen = self._held.numbers(self._before)
         self.corners = np.stack([self._press.point, pointer.point])
-        item = self._selection.item
-        if item is None or item.locked or not item.visible:
-            return
-        held = projected(item.curve).control_points
         low, high = self.corners.min(axis=0), self.corners.max(axis=0)
-        inside = frozenset(np.flatnonzero(((held >= low) & (held <= high)).all(axis=1)).tolist())
-        points, segments = self._before
-        if self._press.shift and self._press.ctrl:
-            inside = points - inside
-        elif self._press.shift:
-            inside = points | inside
-        self._selection.select(points=inside, segments=segments if self._press.shift else ())
+        places = self._held.places
+        inside = np.flatnonzero(((places >= low) & (places <= high)).all(axis=1))
+        if not self._press.shift:
+            self._selection.select_across(self._held.by_curve(inside), self._curve, ())
+            return
+        combine = np.setdiff1d if self._press.ctrl else np.union1d
+        points = self._held.by_curve(combine(self._chosen, inside))
+        whole = {i: of for i, of in self._before.items() if not of.size}
+        self._selection.select_across({**whole, **points}, self._curve, self._segments)
 
     def release(self, pointer: Pointer) -> None:
         """Keep the selection."""
@@ -182,8 +187,7 @@ class Marquee:
 
     def cancel(self) -> None:
         """Select what was selected before the press."""
-        points, segments = self._before
-        self._selection.select(points=points, segments=segments)
+        self._restore()
 
 
 class Pan:

@@ -9,12 +9,12 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
+from theditor.canvas.held import Held
 from theditor.canvas.hit_test import BoxHit
-from theditor.canvas.projection import moved, projected
 from theditor.canvas.tools import Pointer
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.model import Colours, Document, Gesture, Selection
-from theditor.spline import MAX_COORDINATE, Curve
+from theditor.model.words import points_counted
 
 MARGIN = 18.0
 """Distance in pixels of the box from the points, whose own handles it leaves free."""
@@ -41,12 +41,11 @@ class Box:
         return plane.to_pixels(point) + beyond * direction * (1, -1)
 
 
-def box_around(curve: Curve, points: frozenset[int]) -> Box | None:
-    """The box around some control points of a plane curve; None for fewer than two places."""
-    chosen = curve.control_points[sorted(points)]
-    if len(chosen) < 2 or not np.ptp(chosen, axis=0).any():
+def box_around(places: Floats) -> Box | None:
+    """The box around places (n, 2); None if they are not at least two different ones."""
+    if len(places) < 2 or not np.ptp(places, axis=0).any():
         return None
-    return Box(chosen.min(axis=0), chosen.max(axis=0))
+    return Box(places.min(axis=0), places.max(axis=0))
 
 
 def pick_box(box: Box, at: Floats, plane: Viewport) -> BoxHit | None:
@@ -99,8 +98,7 @@ class Transform:
     ) -> None:
         self._document, self._selection = document, selection
         self._press, self._hit, self._box = press, hit, box
-        self._curve = selection.curve
-        self._chosen = np.array(sorted(selection.points), dtype=np.intp)
+        self._chosen = selection.movable
         self.turns = hit.kind == "turn"
         self._gesture: Gesture | None = None
 
@@ -108,13 +106,10 @@ class Transform:
         """Preview the points where the pointer takes them."""
         if self._gesture is None:
             verb = "Turn" if self.turns else "Scale"
-            self._gesture = self._document.begin(f"{verb} {len(self._chosen)} control points")
-        before = self._gesture.before
-        curve = before[self._curve].curve
-        start = projected(curve).control_points[self._chosen]
-        new = (self._turned if self.turns else self._scaled)(start, pointer)
-        points = moved(curve.control_points[self._chosen], new - start).clip(-MAX_COORDINATE, MAX_COORDINATE)
-        self._gesture.preview(before.with_curve(self._curve, curve.with_points(self._chosen, points)))
+            self._gesture = self._document.begin(f"{verb} {points_counted(self._chosen)}")
+            self._held = Held(self._gesture.before, self._chosen)
+        new = (self._turned if self.turns else self._scaled)(self._held.places, pointer)
+        self._gesture.preview(self._held.at(new))
 
     def _corner(self, sign: int) -> Floats:
         """The corner or side that is held (1), or the opposite one (−1)."""

@@ -8,13 +8,13 @@ import numpy as np
 
 from theditor.canvas.hit_test import BoxHit, Hit, JointHit, MiddleHit, PointHit, SegmentHit, parameter_of
 from theditor.canvas.overlays import guards_of
-from theditor.canvas.points import takes_the_curve
+from theditor.canvas.points import doomed
 from theditor.canvas.shaping import PullCurve, SlideJoint
 from theditor.canvas.tools import Drag, MovePoints
 from theditor.canvas.transform import Transform
 from theditor.drawing import Drawing
 from theditor.model import Selection
-from theditor.model.words import indexed, number
+from theditor.model.words import indexed, listed, number, points_counted, segments_named
 from theditor.spline import Curve, curvature, reversed_joints
 
 
@@ -33,8 +33,10 @@ class Pointed:
 def describe(hit: Hit, drawing: Drawing, current: int) -> str:
     """What is under the pointer, in the numbers of the paper."""
     if isinstance(hit, PointHit):
-        height = drawing[current].curve.control_points[hit.index, 2:]
-        return f"over control point {indexed('P', hit.index)}" + "".join(f" at z = {z:.4g}" for z in height)
+        item = drawing[hit.curve]
+        of = "" if hit.curve == current else f" of {item.name}"
+        height = "".join(f" at z = {z:.4g}" for z in item.curve.control_points[hit.index, 2:])
+        return f"over control point {indexed('P', hit.index)}{of}{height}"
     if isinstance(hit, JointHit):
         curve = drawing[current].curve
         bend = _bend(curve, parameter_of(hit, current, curve) or 0.0)
@@ -72,7 +74,7 @@ def reasons(hit: Hit, current: int, curve: Curve) -> str:
             joint = round(parameter_of(hit, current, curve) or 0)
             segments = [s for s in (joint - 1, joint) if 0 <= s < curve.segment_count]
             points = [point]
-        case PointHit(index):
+        case PointHit(owner, index) if owner == current:
             points = [index]
         case _:
             return ""
@@ -109,7 +111,18 @@ def hint(hit: Hit, drag: Drag | None) -> str:
 
 def warning(selection: Selection) -> str:
     """What Delete would do to the selected points if that is more than it seems."""
-    item, count = selection.item, len(selection.points)
-    if item is None or not count or item.locked or not takes_the_curve(item.curve, count):
+    gone = doomed(selection)
+    if not gone:
         return ""
-    return "Delete: the whole curve, for too few control points would stay"
+    curves = "the whole curve" if len(gone) == 1 else f"{len(gone)} whole curves"
+    return f"Delete: {curves}, for too few control points would stay"
+
+
+def selected(selection: Selection) -> str:
+    """What is selected, counted."""
+    told = [points_counted(selection.across, "selected")] if selection.count else []
+    if selection.item is not None and selection.segments:
+        told.append(f"{segments_named(selection.item.curve, selection.segments)} selected")
+    if not told and len(selection.curves) > 1:
+        told.append(f"{len(selection.curves)} curves selected")
+    return listed(told) if told else ""

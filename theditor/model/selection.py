@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,6 +44,11 @@ class Selection(QObject):
         return self._curve
 
     @property
+    def drawing(self) -> Drawing:
+        """The drawing in which things are selected."""
+        return self._document.drawing
+
+    @property
     def item(self) -> Item | None:
         """The current curve with its name and style."""
         return self._document.drawing[self._curve] if self._curve >= 0 else None
@@ -65,6 +71,11 @@ class Selection(QObject):
         return tuple(self._chosen)
 
     @property
+    def chosen(self) -> Mapping[int, Ints]:
+        """Selected control points of every selected curve, both ascending; none where it is chosen as a whole."""
+        return self._chosen
+
+    @property
     def across(self) -> dict[int, Ints]:
         """Selected control points by their curve, both ascending; only curves that have some."""
         return {curve: points for curve, points in self._chosen.items() if points.size}
@@ -73,6 +84,14 @@ class Selection(QObject):
     def movable(self) -> dict[int, Ints]:
         """As `across`, of the curves that may be edited on the canvas: visible and not locked."""
         return {i: points for i, points in self.across.items() if _is_open(self._document.drawing[i])}
+
+    @property
+    def in_hand(self) -> dict[int, Ints]:
+        """What arranging acts on: as `movable`; if no point is selected, all points of the selected curves."""
+        drawing = self._document.drawing
+        return self.movable or {
+            i: np.arange(len(drawing[i].curve.control_points)) for i in self.curves if _is_open(drawing[i])
+        }
 
     @property
     def count(self) -> int:
@@ -91,8 +110,6 @@ class Selection(QObject):
         Indices that do not exist are dropped.
         """
         new = self._curve if curve is None else curve
-        if not 0 <= new < len(self._document.drawing):
-            new = -1
         moved = new != self._curve
         kept = _NOTHING if moved else self._chosen.get(new, _NOTHING)
         chosen = kept if points is None else _ascending(points)
@@ -100,7 +117,12 @@ class Selection(QObject):
             segments = () if moved else self._segments
         self._set(new, {new: chosen}, frozenset(segments))
 
-    def select_across(self, points: Mapping[int, Iterable[int]], curve: int | None = None) -> None:
+    def select_across(
+        self,
+        points: Mapping[int, Iterable[int]],
+        curve: int | None = None,
+        segments: Iterable[int] | None = None,
+    ) -> None:
         """Select control points on several curves, none for a curve that is chosen as a whole.
 
         Parameters
@@ -108,15 +130,27 @@ class Selection(QObject):
         points
             Control points by their curve, in any order.
         curve
-            The current curve to be. By default it stays, with its segments. It gives way to the topmost curve that
-            has points selected if there is nothing selected on it.
+            The current curve to be; by default it stays. It gives way to the topmost curve that has points selected
+            if there is nothing selected on it.
+        segments
+            Segments of the current curve; by default they stay as long as it does.
         """
         new = self._curve if curve is None else curve
-        chosen = {i: _ascending(of) for i, of in points.items() if 0 <= i < len(self._document.drawing)}
-        segments = self._segments if new == self._curve else frozenset()
+        chosen = {i: _ascending(of) for i, of in points.items()}
+        if segments is None:
+            segments = self._segments if new == self._curve else ()
         if not (segments or chosen.get(new, _NOTHING).size):
             new = max((i for i, of in chosen.items() if of.size), default=new)
-        self._set(new, chosen, segments)
+        self._set(new, chosen, frozenset(segments))
+
+    def toggle(self, curve: int, point: int) -> None:
+        """Add a control point to what is selected, or take it away; its curve becomes current."""
+        points = np.setxor1d(self._chosen.get(curve, _NOTHING), [point])
+        self.select_across({**self._chosen, curve: points}, curve)
+
+    def remember(self) -> Callable[[], None]:
+        """Return what selects once more just what is selected now."""
+        return partial(self._set, self._curve, self._chosen, self._segments)
 
     def lambda_indices(self) -> Ints:
         """Control points of the current curve whose λ the λ controls act on, ascending.
@@ -160,10 +194,10 @@ class Selection(QObject):
 
     def _set(self, curve: int, chosen: dict[int, Ints], segments: frozenset[int]) -> None:
         drawing = self._document.drawing
-        if curve < 0:
-            chosen, segments = {}, frozenset()
+        if not 0 <= curve < len(drawing):
+            curve, chosen, segments = -1, {}, frozenset()
         else:
-            chosen = {curve: _NOTHING, **chosen}
+            chosen = {curve: _NOTHING, **{i: of for i, of in chosen.items() if 0 <= i < len(drawing)}}
             chosen = {i: self._valid(i, chosen[i], current=i == curve) for i in sorted(chosen)}
             segments = _below(segments, drawing[curve].curve.segment_count)
         if (curve, segments) != (self._curve, self._segments) or not _same(chosen, self._chosen):

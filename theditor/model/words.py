@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Sized
 
 from theditor.spline import Curve, Mode
 
@@ -36,6 +36,17 @@ def listed(names: Sequence[str]) -> str:
 def counted(count: int, noun: str) -> str:
     """Count: ``1 point``, ``3 points``."""
     return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
+def points_counted(points: Mapping[int, Sized], state: str = "") -> str:
+    """Count control points by their curve, as an edit's object or, with a state, as a sentence.
+
+    ``control point``, ``5 control points on 2 curves``; ``1 control point selected``.
+    """
+    count = sum(map(len, points.values()))
+    told = "control point" if count == 1 and not state else counted(count, "control point")
+    told += f" {state}" if state else ""
+    return told if len(points) < 2 else f"{told} on {len(points)} curves"
 
 
 def symbols(symbol: str, indices: Sequence[int]) -> str:

@@ -1,0 +1,67 @@
+"""Control points of one or several curves as one set: where they are, and the drawing with them elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from theditor.canvas.projection import projected
+from theditor.drawing import Drawing
+from theditor.spline import MAX_COORDINATE, Curve
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.intp]
+
+
+class Held:
+    """Control points of some curves of a drawing, by the curve's index; as one set they are numbered in that order."""
+
+    def __init__(self, drawing: Drawing, points: Mapping[int, Ints]) -> None:
+        self._drawing, self._points = drawing, points
+        self._starts = np.cumsum([0, *(len(of) for of in points.values())])
+
+    @cached_property
+    def places(self) -> Floats:
+        """Where they are in the plane of the canvas, (n, 2)."""
+        parts = [projected(self._drawing[i].curve).control_points[of] for i, of in self._points.items()]
+        return np.concatenate(parts) if parts else np.empty((0, 2))
+
+    def at(self, places: Floats) -> Drawing:
+        """The drawing with them at other places (n, 2), within what coordinates may be."""
+        places = places.clip(-MAX_COORDINATE, MAX_COORDINATE)
+        curves: dict[int, Curve] = {}
+        for (i, of), start in zip(self._points.items(), self._starts.tolist(), strict=False):
+            curve = self._drawing[i].curve
+            points = curve.control_points[of]
+            points[:, :2] = places[start : start + len(of)]
+            curves[i] = curve.with_points(of, points)
+        return self._drawing.with_curves(curves)
+
+    def numbers(self, points: Mapping[int, Ints]) -> Ints:
+        """The numbers of those of some control points that are in the set, which then holds all of their curves."""
+        starts = dict(zip(self._points, self._starts.tolist(), strict=False))
+        parts = [of + starts[i] for i, of in points.items() if i in starts]
+        return np.concatenate(parts) if parts else np.empty(0, dtype=np.intp)
+
+    def by_curve(self, numbers: Ints) -> dict[int, Ints]:
+        """The control points with some numbers, ascending, by their curve."""
+        curves = list(self._points)
+        owners = np.searchsorted(self._starts, numbers, side="right") - 1
+        parts = np.split(numbers, np.flatnonzero(np.diff(owners)) + 1) if len(numbers) else []
+        heads = [int(self._starts[1:].searchsorted(part[0], side="right")) for part in parts]
+        return {curves[k]: part - self._starts[k] for k, part in zip(heads, parts, strict=True)}
+
+
+def every_point(drawing: Drawing) -> Held:
+    """All control points of the curves that may be edited on the canvas: visible and not locked."""
+    return Held(
+        drawing,
+        {
+            i: np.arange(len(item.curve.control_points))
+            for i, item in enumerate(drawing)
+            if item.visible and not item.locked
+        },
+    )
