@@ -193,6 +193,11 @@ class Curve:
         return joints.all_segments(self)
 
     @cached_property
+    def features(self) -> Floats:
+        """What the samples of each segment are combined of, (d, segment_count, features); see `sampling`."""
+        return sampling.features(self.joint_form, self.degree)
+
+    @cached_property
     def boxes(self) -> tuple[Floats, Floats]:
         """Corners of a box around each segment, coordinate-major; `segment_bounds` explains them."""
         return enclosures.boxes(self.joint_form, self.degree)

@@ -4,10 +4,11 @@ One strategy serves all: since the basis is affine in λ, a segment's points are
 (quadratic) or six (cubic) rows of features: its straight part, its two bend vectors, and these times λ. The
 features of a block of segments, kept coordinate by coordinate and small enough to stay in the cache, times
 the matrix of the generators at the wanted t give all the block's points in one matrix product, written
-straight into place. Writing the result is then the limit.
+straight into place. Where a curve keeps its features, writing the result is then the limit.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,7 +21,7 @@ from theditor.spline.checks import clean_indices
 if TYPE_CHECKING:
     from theditor.spline.curve import Curve
 
-_BLOCK = 4096
+_BLOCK = 8192
 
 
 @dataclass(frozen=True)
@@ -45,14 +46,22 @@ def sample(curve: "Curve", per_segment: int, out: Floats | None = None) -> Float
     ):
         raise ValueError(f"out must be a writeable C-contiguous float64 array of shape {shape}")
     matrix = _generators(per_segment, curve.degree)
-    segments = curve.joint_form
-    _fill(segments, matrix[:, :-1], out[:, :-1].reshape(shape[0], count, per_segment))
-    if curve.closed:
-        out[:, -1] = out[:, 0]
-    else:
-        last = segments.take(np.array([count - 1]))
-        _fill(last, matrix[:, -1:], out[:, -1:].reshape(shape[0], 1, 1))
+    inner = out[:, :-1].reshape(shape[0], count, per_segment)
+    for first in range(0, count, _BLOCK):
+        block = slice(first, first + _BLOCK)
+        _multiply(curve.features[:, block], matrix[:, :-1], inner[:, block])
+    out[:, -1] = out[:, 0] if curve.closed else curve.features[:, -1] @ matrix[:, -1]
     return out.T
+
+
+def features(segments: joints.Segments, degree: int) -> Floats:
+    """Return the features of the segments, (d, k, features), as the matrix products of `sample` take them."""
+    dimension, count = segments.start.shape
+    rows = np.empty((dimension, count, degree + 3))
+    for first in range(0, count, _BLOCK):
+        block = slice(first, first + _BLOCK)
+        _collect(segments, block, rows[:, block].transpose(0, 2, 1))
+    return rows
 
 
 def changed_segments(old: "Curve", new: "Curve") -> NDArray[np.intp] | None:
@@ -75,18 +84,27 @@ def changed_segments(old: "Curve", new: "Curve") -> NDArray[np.intp] | None:
     ):
         return None
     count, first = new.segment_count, new.first_segment
-    changed = np.zeros(count, dtype=np.bool_)
+    touched = []
     if old.control_points is not new.control_points:
-        moved = np.zeros(len(new.control_points), dtype=np.bool_)
-        for before, after in zip(old.control_points.T, new.control_points.T, strict=True):
-            moved |= before != after
-        _mark(changed, np.flatnonzero(moved) - first, range(1 - new.degree, 2), new.closed)
+        moved = differing_rows(old.control_points, new.control_points)
+        touched.append(_within_reach(moved - first, range(1 - new.degree, 2), count, new.closed))
     if old.lambdas is not new.lambdas:
-        differs = old.lambdas != new.lambdas
+        differing = differing_rows(old.lambdas, new.lambdas)
         if new.active_lambdas.any():  # else the modes alone depend on λ
-            differs &= new.active_lambdas
-        _mark(changed, np.flatnonzero(differs) - first, range(-1, 1), new.closed)
-    return np.flatnonzero(changed)
+            differing = differing[new.active_lambdas[differing]]
+        touched.append(_within_reach(differing - first, range(-1, 1), count, new.closed))
+    return touched[0] if len(touched) == 1 else np.unique(np.concatenate([np.empty(0, np.intp), *touched]))
+
+
+def differing_rows(old: Floats, new: Floats) -> NDArray[np.intp]:
+    """Return where the rows of two arrays of one shape differ, ascending."""
+    places = np.flatnonzero(
+        (old != new).ravel()
+    )  # flat: nothing is quicker, and few are left to be told apart
+    if old.ndim == 1 or not places.size:
+        return places
+    rows: NDArray[np.intp] = places // old.shape[1]
+    return rows[np.flatnonzero(np.diff(rows, prepend=-1))]
 
 
 def evaluate_segments(curve: "Curve", segments: ArrayLike, intervals: int) -> Floats:
@@ -236,6 +254,7 @@ def sample_adaptively(
     return Samples(chosen[shown], intervals, starts, points.T)
 
 
+@lru_cache(maxsize=64)
 def _generators(intervals: int, degree: int) -> Floats:
     """Return the weights of a segment's features at t = j/intervals, (features, intervals + 1)."""
     t = np.arange(intervals + 1) / intervals
@@ -245,26 +264,37 @@ def _generators(intervals: int, degree: int) -> Floats:
     for s, sign in ((1 - t, -1 if degree == 2 else 1), (t, 1)):
         free = trigonometric(s, order)
         bends += [sign * free, sign * (hyperbolic(s, order) - free)]
-    return np.stack(straight + bends)
+    matrix = np.stack(straight + bends)
+    matrix.flags.writeable = False
+    return matrix
 
 
 def _fill(segments: joints.Segments, matrix: Floats, out: Floats) -> None:
     """Write the points of the segments, at the parameters of the matrix, into `out`, (d, k, samples)."""
     dimension, count = segments.start.shape
-    features = len(matrix)
-    scratch = np.empty((dimension, features, min(count, _BLOCK)))
+    scratch = np.empty((dimension, len(matrix), min(count, _BLOCK)))
     for first in range(0, count, _BLOCK):
         block = slice(first, first + _BLOCK)
         rows = scratch[:, :, : count - first]
-        rows[:, 0] = segments.start[:, block]
-        if features == 6:
-            rows[:, 1] = segments.end[:, block]
-        rows[:, -4] = segments.bend_start[:, block]
-        np.multiply(segments.bend_start[:, block], segments.lambda_start[block], out=rows[:, -3])
-        rows[:, -2] = segments.bend_end[:, block]
-        np.multiply(segments.bend_end[:, block], segments.lambda_end[block], out=rows[:, -1])
-        for axis in range(dimension):
-            np.matmul(rows[axis].T, matrix, out=out[axis, block])
+        _collect(segments, block, rows)
+        _multiply(rows.transpose(0, 2, 1), matrix, out[:, block])
+
+
+def _collect(segments: joints.Segments, block: slice, rows: Floats) -> None:
+    """Write the features of a block of segments into `rows`, (d, features, k)."""
+    rows[:, 0] = segments.start[:, block]
+    if rows.shape[1] == 6:
+        rows[:, 1] = segments.end[:, block]
+    rows[:, -4] = segments.bend_start[:, block]
+    np.multiply(segments.bend_start[:, block], segments.lambda_start[block], out=rows[:, -3])
+    rows[:, -2] = segments.bend_end[:, block]
+    np.multiply(segments.bend_end[:, block], segments.lambda_end[block], out=rows[:, -1])
+
+
+def _multiply(rows: Floats, matrix: Floats, out: Floats) -> None:
+    """Write the points of a block of segments with these features, (d, k, features), into `out`."""
+    for axis, values in enumerate(rows):
+        np.matmul(values, matrix, out=out[axis])
 
 
 def _intervals(bound: Floats, tolerance: float, most: int) -> NDArray[np.intp]:
@@ -279,15 +309,16 @@ def _intervals(bound: Floats, tolerance: float, most: int) -> NDArray[np.intp]:
     return steps
 
 
-def _mark(changed: NDArray[np.bool_], places: NDArray[np.intp], reach: range, closed: bool) -> None:
-    """Mark the segments at these places and the given steps from them."""
+def _within_reach(places: NDArray[np.intp], reach: range, count: int, closed: bool) -> NDArray[np.intp]:
+    """Return the segments, of `count` in all, at the given steps from ascending places; they too ascend."""
+    if not places.size:
+        return places
+    low = places[0] + reach.start
+    marked = np.zeros(places[-1] + reach.stop - low, dtype=np.bool_)
     for step in reach:
-        near = places + step
-        if closed:
-            near %= len(changed)
-        else:
-            near = near[(near >= 0) & (near < len(changed))]
-        changed[near] = True
+        marked[places - low + step] = True
+    segments = np.flatnonzero(marked) + low
+    return np.unique(segments % count) if closed else segments[(segments >= 0) & (segments < count)]
 
 
 def _corner(corner: ArrayLike | None, otherwise: float, curve: "Curve") -> Floats:
