@@ -1,6 +1,6 @@
 """How fast a large curve is sampled, beside two yardsticks, and how little a step of a drag costs.
 
-    pytest tests/benchmarks/test_evaluation.py
+    pytest tests/benchmarks/test_evaluation.py -n 0
 
 prints, for 10⁴ and 10⁵ segments × 16 samples in the plane, the time of `Curve.sample` with `out` given as a
 multiple of copying an array as large, the limit for anything that writes its result (the aim: at most 1.4 and 1.25
