@@ -6,7 +6,7 @@ from hand import CTRL, SHIFT
 from PySide6.QtCore import Qt
 
 from theditor.canvas.arrange import aligned, arrange, flipped
-from theditor.canvas.points import remove
+from theditor.canvas.points import insert, make_corners, remove
 from theditor.canvas.transform import MARGIN, box_around
 
 GROUND = [-1.0, 7.0]
@@ -129,3 +129,17 @@ def test_delete_takes_points_of_all_curves_and_curves_with_too_few_left(chosen, 
     assert chosen.document.undo_stack.undoText() == "Delete 4 control points on 2 curves"
     chosen.document.undo()
     assert chosen.document.drawing == before
+
+
+def test_points_are_inserted_beside_those_selected_on_each_curve(chosen):
+    told = insert(chosen.document, chosen.selection)
+    assert told.startswith("Inserted 2 control points on 2 curves; the shape ")
+    assert [len(item.curve.control_points) for item in chosen.document.drawing] == [7, 5]
+    assert across(chosen) == {0: [2], 1: [2]}
+    assert chosen.document.undo_stack.undoText() == "Insert 2 control points on 2 curves"
+
+
+def test_corners_are_made_on_each_curve(canvas):
+    canvas.selection.select_across({0: [2], 1: [1]})
+    assert make_corners(canvas.document, canvas.selection) == "Made a corner at 2 control points on 2 curves"
+    assert [len(item.curve.control_points) for item in canvas.document.drawing] == [8, 6]

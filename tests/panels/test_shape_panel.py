@@ -304,3 +304,31 @@ def test_moving_points_leaves_the_controls_alone_and_every_parameter_shown_is_th
     assert shown == []
     document.apply_curve("Change λ", 0, curve.with_lambdas([2], 0.25))
     assert shown[-1].tolist() == curve.with_lambdas([2], 0.25).lambdas[1:-1].tolist()
+
+
+def test_points_on_two_curves_share_the_slider_and_take_each_degree_s_own_mode(panel, document, selection):
+    selection.select_across({0: [9], 1: [2, 3]})
+    assert title(panel) == "SHAPE · 3 points on 2 curves"
+    hand = Hand(panel.slider)
+    hand.press(*at(panel.slider, 0.5))
+    hand.move(*at(panel.slider, 0.7))
+    hand.release()
+    ring = document.drawing[1].curve
+    assert lambdas(document)[9] == ring.lambdas[2] == ring.lambdas[3] == pytest.approx(0.7, abs=0.02)
+    panel.mode_buttons[Mode.INTERPOLATING].click()
+    assert (lambdas(document)[9], document.drawing[1].curve.lambdas[2]) == (
+        INTERPOLATING[3],
+        INTERPOLATING[2],
+    )
+    assert panel.mode_buttons[Mode.INTERPOLATING].isChecked()
+    assert document.undo_stack.count() == 2
+    document.apply("Lock", document.drawing.with_item(1, document.drawing[1].with_(locked=True)))
+    assert title(panel) == "SHAPE · λ₉ (1 point selected)"
+
+
+def test_whole_curves_chosen_together_share_the_slider(panel, document, selection):
+    selection.select_across({0: [], 1: []})
+    assert title(panel) == "SHAPE · all λ on 2 curves"
+    panel.mode_buttons[Mode.TRIGONOMETRIC].click()
+    assert not lambdas(document).any()
+    assert not document.drawing[1].curve.lambdas.any()

@@ -32,8 +32,9 @@ def can_redo(window: MainWindow) -> bool:
 
 
 def has_selection(window: MainWindow) -> bool:
-    """Needs a selected point or segment."""
-    return bool(window.selection.points or window.selection.segments)
+    """Needs a selected point or segment, or a curve beside the current one."""
+    selection = window.selection
+    return bool(selection.count or selection.segments or len(selection.curves) > 1)
 
 
 def commands(window: MainWindow) -> tuple[Command, ...]:
@@ -209,6 +210,15 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             gap=True,
         ),
         Command(
+            "select_all_curves",
+            "Edit",
+            "Select all on all &curves",
+            "Select all control points of every curve that is visible and not locked",
+            window.select_all_curves,
+            ("Ctrl+Alt+A",),
+            has_curve,
+        ),
+        Command(
             "select_none",
             "Edit",
             "Select &none",
@@ -221,7 +231,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "invert",
             "Edit",
             "&Invert selection",
-            "Select just those control points of the current curve that are not selected",
+            "Select just those control points of the selected curves that are not selected",
             window.invert_selection,
             ("Ctrl+Shift+I",),
             can_edit,

@@ -90,10 +90,11 @@ def formula_dialog(document: Document, selection: Selection, window: QWidget) ->
 
 def _at_hand(selection: Selection) -> tuple[Curve, NDArray[np.intp]]:
     """Return the current curve and the control points whose λ are to change."""
-    reason = obstacle(selection)
-    if reason or selection.item is None:
-        raise ValueError(reason)
-    return selection.item.curve, editable(selection)
+    found, item = editable(selection), selection.item
+    if item is None or not found.size:
+        other = "These λ can change on other curves alone: make one of those current."
+        raise ValueError(obstacle(selection) or other)
+    return item.curve, found
 
 
 def _dialog(

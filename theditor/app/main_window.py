@@ -31,6 +31,7 @@ from theditor.app.problems import MessageBar
 from theditor.app.shortcuts import Shortcuts
 from theditor.app.tour import GuideBar
 from theditor.canvas import Canvas, Pointed
+from theditor.canvas.held import every_point
 from theditor.drawing import Item
 from theditor.model import Document, Selection
 from theditor.panels.basis import BasisPanel
@@ -221,8 +222,9 @@ class MainWindow(QMainWindow):
     # Editing
 
     def set_mode(self, mode: Mode) -> None:
-        """Give the λ that the λ panel acts on, else the segments, a mode."""
-        if self.selection.points:
+        """Give the λ that the λ panel acts on a mode or, on one curve, its segments if no point is selected."""
+        selection = self.selection
+        if selection.count or (len(selection.curves) > 1 and not selection.segments):
             self.shape.set_mode(mode)
         else:
             self.segments.set_mode(mode)
@@ -233,16 +235,19 @@ class MainWindow(QMainWindow):
         if item is not None:
             self.selection.select(points=range(len(item.curve.control_points)), segments=())
 
+    def select_all_curves(self) -> None:
+        """Select every control point of all curves that are visible and not locked."""
+        self.selection.select_across(every_point(self.document.drawing), segments=())
+
     def select_none(self) -> None:
         """Select no point and no segment."""
         self.selection.select(points=(), segments=())
 
     def invert_selection(self) -> None:
-        """Select just those control points of the current curve that are not selected."""
-        item = self.selection.item
-        if item is not None:
-            every = frozenset(range(len(item.curve.control_points)))
-            self.selection.select(points=every - self.selection.points, segments=())
+        """Select just those control points of the selected curves that are not selected."""
+        every, chosen = every_point(self.document.drawing), self.selection.chosen
+        new = {i: np.setdiff1d(every[i], of) for i, of in chosen.items() if i in every}
+        self.selection.select_across({**chosen, **new}, segments=())
 
     def add_curve(self) -> None:
         """Add a clamped cubic in the middle of the view, to be dragged into shape, and make it current."""

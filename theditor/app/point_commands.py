@@ -14,22 +14,31 @@ if TYPE_CHECKING:
 
 def has_points(window: MainWindow) -> bool:
     """Needs a selected control point that may be changed."""
-    return can_edit(window) and bool(window.selection.points)
+    return bool(window.selection.movable)
 
 
 def has_several(window: MainWindow) -> bool:
     """Needs two selected control points."""
-    return can_edit(window) and len(window.selection.points) > 1
+    return _movable(window) > 1
 
 
 def has_many(window: MainWindow) -> bool:
     """Needs three selected control points."""
-    return can_edit(window) and len(window.selection.points) > 2
+    return _movable(window) > 2
+
+
+def _movable(window: MainWindow) -> int:
+    return sum(map(len, window.selection.movable.values()))
+
+
+def has_something(window: MainWindow) -> bool:
+    """Needs control points to arrange: selected ones, or a curve that is visible and not locked."""
+    return bool(window.selection.in_hand)
 
 
 def has_part(window: MainWindow) -> bool:
     """Needs a selected control point or segment that may be changed."""
-    return can_edit(window) and bool(window.selection.points or window.selection.segments)
+    return has_points(window) or (can_edit(window) and bool(window.selection.segments))
 
 
 def can_join(window: MainWindow) -> bool:
@@ -65,7 +74,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             tip,
             arranged(plain(text), arrange.flipped(axis)),
             (key,),
-            can_edit,
+            has_something,
             on_canvas=True,
             gap=gap,
         )
@@ -141,7 +150,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
         flip(
             "flip_horizontally",
             "Flip &horizontally",
-            "Mirror the selected points, or the whole curve, left to right",
+            "Mirror the selected points, or the selected curves, left to right",
             0,
             "Shift+H",
             gap=True,
@@ -149,7 +158,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
         flip(
             "flip_vertically",
             "Flip &vertically",
-            "Mirror the selected points, or the whole curve, top to bottom",
+            "Mirror the selected points, or the selected curves, top to bottom",
             1,
             "Shift+V",
         ),

@@ -10,6 +10,7 @@ import numpy as np
 from PySide6.QtCore import QSettings
 
 from theditor.canvas import Canvas
+from theditor.canvas.held import Held
 from theditor.canvas.projection import projected
 from theditor.model import Selection
 
@@ -21,19 +22,20 @@ _SAMPLES = 16
 
 
 def zoom_to_selection(canvas: Canvas, selection: Selection) -> None:
-    """Show the selected control points and segments as large as they go; the current curve if there are none.
+    """Show the selected control points and segments as large as they go; the selected curves if there are none.
 
     A single point comes to the middle, at the same scale.
     """
     if selection.item is None:
         return
     curve = projected(selection.item.curve)
-    shown = [curve.control_points[sorted(selection.points)]]
+    shown = [Held(selection.drawing, selection.across).places]
     if selection.segments:
         t = np.linspace(0.0, 1.0, _SAMPLES)
         shown.append(curve((np.array(sorted(selection.segments))[:, None] + t).ravel()))
-    elif not selection.points:
-        shown += [curve.control_points, curve.sample(_SAMPLES)]
+    elif not selection.count:
+        for curve in (projected(selection.drawing[i].curve) for i in selection.curves):
+            shown += [curve.control_points, curve.sample(_SAMPLES)]
     points = np.concatenate(shown)
     low, high = points.min(axis=0), points.max(axis=0)
     plane, size = canvas.plane, high - low

@@ -62,7 +62,7 @@ def view_commands(window: MainWindow) -> tuple[Command, ...]:
             "zoom_selection",
             "View",
             "Zoom to &selection",
-            "Show the selected points and segments as large as they go; the current curve if there are none",
+            "Show the selected points and segments as large as they go; the selected curves if there are none",
             lambda: zoom_to_selection(canvas, window.selection),
             ("3",),
             has_curve,

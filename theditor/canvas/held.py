@@ -55,13 +55,10 @@ class Held:
         return {curves[k]: part - self._starts[k] for k, part in zip(heads, parts, strict=True)}
 
 
-def every_point(drawing: Drawing) -> Held:
+def every_point(drawing: Drawing) -> dict[int, Ints]:
     """All control points of the curves that may be edited on the canvas: visible and not locked."""
-    return Held(
-        drawing,
-        {
-            i: np.arange(len(item.curve.control_points))
-            for i, item in enumerate(drawing)
-            if item.visible and not item.locked
-        },
-    )
+    return {
+        i: np.arange(len(item.curve.control_points))
+        for i, item in enumerate(drawing)
+        if item.visible and not item.locked
+    }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
@@ -20,35 +20,45 @@ MOST_NAMED = 3
 
 def insert_at(document: Document, selection: Selection, u: float) -> str:
     """Insert a control point where the current curve's parameter is `u`; returns what happened."""
-    return _insert(document, selection, [u])
+    return _insert(document, selection, {selection.curve: [u]})
 
 
 def insert(document: Document, selection: Selection) -> str:
-    """Insert control points into the selected segments, else between or after the selected points."""
-    item = selection.item
-    assert item is not None, "there is a selection"
+    """Insert control points into the selected segments, else between or after the selected points of each curve."""
     if selection.segments:
-        return _insert(document, selection, [s + 0.5 for s in selection.segments])
-    return _insert(
-        document, selection, [_middle(item.curve, e) for e in _edges(item.curve, selection.points)]
-    )
+        return _insert(document, selection, {selection.curve: [s + 0.5 for s in selection.segments]})
+    places: dict[int, list[float]] = {}
+    for i, of in selection.movable.items():
+        curve = selection.drawing[i].curve
+        places[i] = [_middle(curve, edge) for edge in _edges(curve, frozenset(of.tolist()))]
+    return _insert(document, selection, places)
 
 
-def _insert(document: Document, selection: Selection, places: list[float]) -> str:
+def _insert(document: Document, selection: Selection, places: Mapping[int, list[float]]) -> str:
+    document.settle()
+    drawing = document.drawing
+    curves: dict[int, Curve] = {}
+    new: dict[int, list[int]] = {}
+    change = 0.0
+    for i, at in places.items():
+        curves[i], new[i], deviation = _inserted(drawing[i].curve, at)
+        change = max(change, deviation)
+    document.apply(f"Insert {points_counted(new)}", drawing.with_curves(curves))
+    selection.select_across(new, selection.curve, ())
+    named = symbols("P", new[selection.curve]) if len(new) == 1 and selection.curve in new else ""
+    return f"Inserted {named or points_counted(new)}; {changed(change, *curves.values())}"
+
+
+def _inserted(curve: Curve, places: list[float]) -> tuple[Curve, list[int], float]:
     """Insert from the last place to the first, so that those to come stay where they are."""
-    item = selection.item
-    assert item is not None, "what is edited is there"
-    curve, change = item.curve, 0.0
+    change = 0.0
     new: list[int] = []
     for u in sorted(places, reverse=True):
         at = _edge_at(curve, u) + 1
         curve, deviation = edits.insert(curve, u)
         change += deviation
         new = [at, *(i + 1 for i in new)]
-    text = "Insert control point" if len(new) == 1 else f"Insert {len(new)} control points"
-    document.apply_curve(text, selection.curve, curve)
-    selection.select(points=new, segments=())
-    return f"Inserted {symbols('P', sorted(new))}; {changed(change, curve)}"
+    return curve, sorted(new), change
 
 
 def insert_on_edge(document: Document, selection: Selection, edge: int, fraction: float) -> str:
@@ -113,21 +123,29 @@ def make_smooth(document: Document, selection: Selection) -> str:
 def _each(
     document: Document, selection: Selection, edit: Callable[[Curve, int], Curve], text: str, told: str
 ) -> str:
-    """Edit the curve at each selected place, from the last to the first; points in one place count once."""
-    item = selection.item
-    assert item is not None, "there is a selection"
-    old = new = item.curve
-    chosen = sorted(selection.points)
-    places = [
-        i for i in chosen if i - 1 not in chosen or (old.control_points[i] != old.control_points[i - 1]).any()
-    ]
-    for i in reversed(places):
-        new = edit(new, i)
-    if new == old:
-        return f"Nothing changed: {symbols('P', places)} is that already"
-    document.apply_curve(text, selection.curve, new)
+    """Edit the curves at each selected place, from the last to the first; points in one place count once."""
+    document.settle()
+    drawing = document.drawing
+    new: dict[int, Curve] = {}
+    places: dict[int, list[int]] = {}
+    for i, of in selection.movable.items():
+        curve = new[i] = drawing[i].curve
+        places[i] = _apart(curve, of.tolist())
+        for place in reversed(places[i]):
+            new[i] = edit(new[i], place)
+    named = symbols("P", places[selection.curve]) if [*places] == [selection.curve] else ""
+    after = drawing.with_curves(new)
+    if after == drawing:
+        return f"Nothing changed: {named or points_counted(places)} is that already"
+    document.apply(text, after)
     selection.select(points=(), segments=())
-    return f"{told} {symbols('P', places)}"
+    return f"{told} {named or points_counted(places)}"
+
+
+def _apart(curve: Curve, chosen: list[int]) -> list[int]:
+    """Of control points that follow each other in one place, only the first."""
+    points, known = curve.control_points, set(chosen)
+    return [i for i in chosen if i - 1 not in known or (points[i] != points[i - 1]).any()]
 
 
 def takes_the_curve(curve: Curve, count: int) -> bool:

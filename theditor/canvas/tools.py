@@ -166,7 +166,8 @@ class Marquee:
     def move(self, pointer: Pointer) -> None:
         """Select what the rectangle holds now."""
         if self.corners is None:
-            self._held = every_point(self._document.drawing)
+            drawing = self._document.drawing
+            self._held = Held(drawing, every_point(drawing))
             self._chosen = self._held.numbers(self._before)
         self.corners = np.stack([self._press.point, pointer.point])
         low, high = self.corners.min(axis=0), self.corners.max(axis=0)

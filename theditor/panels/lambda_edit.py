@@ -1,22 +1,25 @@
-"""How a control turns asked-for λ into edits of the current curve: one gesture, or one merging step.
+"""How a control turns asked-for λ into edits of the selected curves: one gesture, or one merging step.
 
 Linked λ keep their differences: a control shows their mean and moves all of them by as much.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from theditor.drawing import Drawing
 from theditor.model import Document, Gesture, Selection, words
 from theditor.panels.lambda_scale import stepped
-from theditor.spline import MAX_LAMBDA, Curve
+from theditor.spline import MAX_LAMBDA, Curve, Mode, lambda_of
 
 TEXT = "Change λ"
 
 
 def editable(selection: Selection) -> NDArray[np.intp]:
-    """Control points whose λ the controls change: of those they act on, the active ones; none if locked."""
+    """Control points of the current curve whose λ the controls change: the active ones; none if it is locked."""
     item = selection.item
     if item is None or item.locked:
         return np.empty(0, dtype=np.intp)
@@ -24,16 +27,55 @@ def editable(selection: Selection) -> NDArray[np.intp]:
     return indices[item.curve.active_lambdas[indices]]
 
 
+class Targets:
+    """λ of control points on one or several curves of a drawing, as one row of values."""
+
+    def __init__(self, points: Mapping[int, Sequence[int] | NDArray[np.intp]]) -> None:
+        self.points = {curve: of for curve, of in points.items() if len(of)}
+        self.size = sum(map(len, self.points.values()))
+
+    def values(self, drawing: Drawing) -> NDArray[np.float64]:
+        """The λ as they are."""
+        parts = [drawing[curve].curve.lambdas[of] for curve, of in self.points.items()]
+        return np.concatenate(parts) if parts else np.empty(0)
+
+    def curves(self, drawing: Drawing) -> list[Curve]:
+        """The curves that they are on."""
+        return [drawing[curve].curve for curve in self.points]
+
+    def of_mode(self, drawing: Drawing, mode: Mode) -> NDArray[np.float64]:
+        """What each λ is in a mode; λ* depends on the curve's degree."""
+        each = [np.full(len(of), lambda_of(mode, drawing[i].curve.degree)) for i, of in self.points.items()]
+        return np.concatenate(each) if each else np.empty(0)
+
+    def set_to(self, drawing: Drawing, values: ArrayLike) -> Drawing:
+        """The drawing with other values of the λ, one for all or one for each."""
+        row = np.broadcast_to(np.asarray(values, dtype=np.float64), self.size)
+        curves: dict[int, Curve] = {}
+        start = 0
+        for i, of in self.points.items():
+            curves[i] = drawing[i].curve.with_lambdas(of, row[start : start + len(of)])
+            start += len(of)
+        return drawing.with_curves(curves)
+
+
+def targets(selection: Selection) -> Targets:
+    """The λ that the controls change, on all selected curves: the active ones of those they act on."""
+    drawing = selection.drawing
+    found = {i: of for i, of in selection.lambdas_across().items() if not drawing[i].locked}
+    return Targets({i: of[drawing[i].curve.active_lambdas[of]] for i, of in found.items()})
+
+
 def obstacle(selection: Selection) -> str:
     """Say why the controls can change no λ, and the cure; nothing if they can."""
     item = selection.item
     if item is None:
         return "There is no curve: add one in the list of curves."
+    if targets(selection).size:
+        return ""
     if item.locked:
         return words.locked_reason(item.name)
-    if not editable(selection).size:
-        return words.inactive_reason(item.curve, selection.lambda_indices().tolist())
-    return ""
+    return words.inactive_reason(item.curve, selection.lambda_indices().tolist())
 
 
 def mean(values: NDArray[np.float64]) -> float:
@@ -58,8 +100,7 @@ def moved_together(values: NDArray[np.float64], new_mean: float) -> NDArray[np.f
 class LambdaGesture:
     """A drag over λ: every preview is built from the drawing at the press."""
 
-    def __init__(self, document: Document, selection: Selection) -> None:
-        self._curve = selection.curve
+    def __init__(self, document: Document) -> None:
         self._gesture: Gesture = document.begin(TEXT)
         self.commit = self._gesture.commit
         self.cancel = self._gesture.cancel
@@ -70,53 +111,38 @@ class LambdaGesture:
         return self._gesture.is_open
 
     @property
-    def before(self) -> Curve:
-        """The curve at the press."""
-        return self._gesture.before[self._curve].curve
+    def before(self) -> Drawing:
+        """The drawing at the press."""
+        return self._gesture.before
 
-    def preview(self, indices: ArrayLike, values: ArrayLike) -> None:
-        """Show the curve with these λ; the others are as they were at the press. Ignored once it is over."""
-        if not self.is_open:
-            return
-        curve = self.before.with_lambdas(indices, values)
-        self._gesture.preview(self._gesture.before.with_curve(self._curve, curve))
+    def preview(self, targets: Targets, values: ArrayLike) -> None:
+        """Show these λ; the others are as they were at the press. Ignored once it is over."""
+        if self.is_open:
+            self._gesture.preview(targets.set_to(self.before, values))
 
 
-def set_lambdas(
-    document: Document,
-    selection: Selection,
-    indices: NDArray[np.intp],
-    values: ArrayLike,
-    *,
-    run: bool = False,
-) -> None:
+def set_lambdas(document: Document, targets: Targets, values: ArrayLike, *, run: bool = False) -> None:
     """Set λ in one undo step; steps of a `run` on the same points merge."""
-    item = selection.item
-    if item is None or not indices.size:
-        return
-    curve = item.curve.with_lambdas(indices, values)
-    document.apply_curve(TEXT, selection.curve, curve, merge=indices.tobytes() if run else None)
+    if targets.size:
+        document.settle()
+        same = tuple((curve, bytes(np.asarray(of))) for curve, of in targets.points.items())
+        document.apply(TEXT, targets.set_to(document.drawing, values), merge=same if run else None)
 
 
 def step_lambdas(
-    document: Document,
-    selection: Selection,
-    indices: NDArray[np.intp],
-    count: int,
-    *,
-    fine: bool = False,
-    linked: bool = False,
+    document: Document, targets: Targets, count: int, *, fine: bool = False, linked: bool = False
 ) -> None:
     """Move every λ by `count` steps of the scale; a run of steps is one undo step.
 
-    Each steps from where it is or, linked, their mean does and takes them along.
+    Each steps from where it is or, linked, their mean does and takes them along. Steps stop at the modes of the
+    first curve's degree.
     """
-    item = selection.item
-    if item is None or not indices.size:
+    if not targets.size:
         return
-    values = item.curve.lambdas[indices]
+    document.settle()
+    values, degree = targets.values(document.drawing), targets.curves(document.drawing)[0].degree
     if linked:
-        new = moved_together(values, float(stepped(mean(values), count, item.curve.degree, fine)))
+        new = moved_together(values, float(stepped(mean(values), count, degree, fine)))
     else:
-        new = stepped(values, count, item.curve.degree, fine)
-    set_lambdas(document, selection, indices, new, run=True)
+        new = stepped(values, count, degree, fine)
+    set_lambdas(document, targets, new, run=True)

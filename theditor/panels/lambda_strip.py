@@ -11,7 +11,7 @@ from theditor.model import Document, Selection, colours_for, unbreakable, words
 from theditor.panels import lambda_scale as scale
 from theditor.panels.guarded import NegativeBasis, reversal, same_lambdas
 from theditor.panels.lambda_column import Column, caption_height, paint_column
-from theditor.panels.lambda_edit import LambdaGesture, editable, set_lambdas, step_lambdas
+from theditor.panels.lambda_edit import LambdaGesture, Targets, editable, set_lambdas, step_lambdas
 from theditor.spline import mode_of
 
 _WIDTH_RANGE = (44, 66)
@@ -118,7 +118,8 @@ class LambdaStrip(QAbstractScrollArea):
             self._painted = dict.fromkeys(targets.tolist(), value)
         else:
             self._paint_to(min(max(self._column_at(position.x()), 0), self._count() - 1), value)
-        self._gesture.preview(list(self._painted), list(self._painted.values()))
+        painted = Targets({self._selection.curve: list(self._painted)})
+        self._gesture.preview(painted, list(self._painted.values()))
 
     def _start_drag(self, event: QMouseEvent) -> bool:
         """Begin the gesture once the pointer is far enough from where it was pressed, if λ may change."""
@@ -136,7 +137,7 @@ class LambdaStrip(QAbstractScrollArea):
         value = self._item.curve.lambdas[self._column]
         place = float(scale.position(value)) if fine else self._place_at(self._press.y())
         self._drag = scale.ScaleDrag(self._item.curve.degree, self.track_height, place)
-        self._gesture = LambdaGesture(self._document, self._selection)
+        self._gesture = LambdaGesture(self._document)
         self._painted = {}
         return True
 
@@ -159,7 +160,7 @@ class LambdaStrip(QAbstractScrollArea):
             self._gesture.commit()
             self._gesture = None
         elif event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
-            self._selection.select(points=self._selection.points ^ {self._column}, segments=())
+            self._selection.toggle(self._selection.curve, self._column)
         else:
             self._selection.select(points=[self._column], segments=())
 
@@ -229,20 +230,23 @@ class LambdaStrip(QAbstractScrollArea):
         return ""
 
     def _step(self, count: int, fine: bool) -> None:
-        targets = editable(self._selection)
+        targets = self._targets()
         if self._selection.points and targets.size:
-            step_lambdas(self._document, self._selection, targets, count, fine=fine)
+            step_lambdas(self._document, targets, count, fine=fine)
         else:
             self._explain()
 
     def _jump(self, direction: int) -> None:
-        targets = editable(self._selection)
+        targets = self._targets()
         if self._item is not None and self._selection.points and targets.size:
-            curve = self._item.curve
-            value = scale.next_landmark(float(curve.lambdas[targets[0]]), direction, curve.degree)
-            set_lambdas(self._document, self._selection, targets, value, run=True)
+            curve, drawing = self._item.curve, self._document.drawing
+            value = scale.next_landmark(float(targets.values(drawing)[0]), direction, curve.degree)
+            set_lambdas(self._document, targets, value, run=True)
         else:
             self._explain()
+
+    def _targets(self) -> Targets:
+        return Targets({self._selection.curve: editable(self._selection)})
 
     def _explain(self) -> None:
         chosen = min(self._selection.points, default=None)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import operator
+
 import numpy as np
 from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtWidgets import QLabel, QToolButton, QWidget
@@ -9,17 +11,18 @@ from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 from theditor.model import Document, Selection, words
 from theditor.panels.lambda_edit import (
     LambdaGesture,
+    Targets,
     asked,
-    editable,
     mean,
     obstacle,
     set_lambdas,
     step_lambdas,
+    targets,
 )
 from theditor.panels.lambda_slider import LambdaSlider
 from theditor.panels.number_field import NumberField
 from theditor.panels.parts import column, describe, heading, row, segmented
-from theditor.spline import MAX_LAMBDA, Curve, Mode, lambda_of
+from theditor.spline import MAX_LAMBDA, Curve, Mode
 
 _FIELD_TIP = (
     "Exact λ: 0 is trigonometric, 1 hyperbolic, λ* interpolating, anything else a blend. Arrow keys step."
@@ -41,7 +44,7 @@ MOST_HOVERED = 4
 
 
 class ShapePanel(QWidget):
-    """Edits the λ of the selected points, else of the selected segments, else every λ of the curve.
+    """Edits the λ of the selected points, else of the selected segments, else every λ of the selected curves.
 
     All get the same value; while they are linked, slider and field show their mean and shift them together.
     """
@@ -55,9 +58,11 @@ class ShapePanel(QWidget):
         super().__init__(parent)
         self._document, self._selection = document, selection
         self._gesture: LambdaGesture | None = None
-        self._targets = editable(selection)
+        self._targets = targets(selection)
         self._curve: Curve | None = None
+        self._curves: list[Curve] = []
         self._scope: object = None
+        self._chosen = selection.chosen
 
         self._heading = heading("SHAPE", capitals=False)
         self.slider = LambdaSlider()
@@ -99,18 +104,19 @@ class ShapePanel(QWidget):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Tell when the pointer comes to the slider and leaves it."""
         if watched is self.slider and event.type() in (QEvent.Type.Enter, QEvent.Type.Leave):
-            here = event.type() == QEvent.Type.Enter and self._targets.size <= MOST_HOVERED
-            self.hovered.emit(tuple(self._targets.tolist()) if here else ())
+            points = self._targets.points.get(self._selection.curve, [])
+            here = event.type() == QEvent.Type.Enter and len(points) <= MOST_HOVERED
+            self.hovered.emit(tuple(int(i) for i in points) if here else ())
         return super().eventFilter(watched, event)
 
     # Edits
 
     def _begin(self) -> None:
-        self._gesture = LambdaGesture(self._document, self._selection)
+        self._gesture = LambdaGesture(self._document)
 
     def _preview(self, value: float) -> None:
         if self._gesture is not None and self._gesture.is_open:
-            values = self._gesture.before.lambdas[self._targets]
+            values = self._targets.values(self._gesture.before)
             self._gesture.preview(self._targets, asked(values, value, self._linked))
 
     def _commit(self) -> None:
@@ -129,19 +135,17 @@ class ShapePanel(QWidget):
 
     def _set(self, value: float, run: bool = False) -> None:
         if self._curve is not None:
-            values = asked(self._curve.lambdas[self._targets], value, self._linked)
-            set_lambdas(self._document, self._selection, self._targets, values, run=run)
+            values = asked(self._targets.values(self._document.drawing), value, self._linked)
+            set_lambdas(self._document, self._targets, values, run=run)
         self._show_values()
 
     def _step(self, count: int, fine: bool = False) -> None:
-        model = self._document, self._selection
-        step_lambdas(*model, self._targets, count, fine=fine, linked=self._linked)
+        step_lambdas(self._document, self._targets, count, fine=fine, linked=self._linked)
 
     def set_mode(self, mode: Mode) -> None:
         """Give the λ that the controls act on the value of a mode."""
         if self._curve is not None:
-            value = lambda_of(mode, self._curve.degree)
-            set_lambdas(self._document, self._selection, self._targets, value)
+            set_lambdas(self._document, self._targets, self._targets.of_mode(self._document.drawing, mode))
         self._show_values()
 
     def _link(self) -> None:
@@ -161,19 +165,21 @@ class ShapePanel(QWidget):
     def _follow(self) -> None:
         item, selection = self._selection.item, self._selection
         curve = item.curve if item is not None else None
-        guard = (item.locked, item.name) if item is not None else None
-        scope = (selection.curve, selection.points, selection.segments, guard)
-        same_scope = scope == self._scope
-        if same_scope and curve is self._curve:
+        items, old = [selection.drawing[i] for i in selection.curves], self._curves
+        curves = [each.curve for each in items]
+        guards = [(each.locked, each.visible) for each in items]
+        scope = (selection.curve, selection.segments, guards, item.name if item is not None else "")
+        same_scope = scope == self._scope and selection.chosen is self._chosen
+        if same_scope and len(curves) == len(old) and all(map(operator.is_, curves, old)):
             return
-        old = self._curve
-        same_kind = curve is not None and old is not None and _kind(curve) == _kind(old)
-        same_values = curve is not None and old is not None and np.array_equal(curve.lambdas, old.lambdas)
-        self._scope, self._curve = scope, curve
-        if not (same_scope and same_kind):
-            self._targets = editable(selection)
+        same_scope = same_scope and [*map(_kind, curves)] == [*map(_kind, old)]
+        self._scope, self._chosen, self._curve, self._curves = scope, selection.chosen, curve, curves
+        if not same_scope:
+            self._targets = targets(selection)
             self._show_scope()
-        if not (same_scope and same_kind and same_values):
+        if not same_scope or any(
+            not np.array_equal(a.lambdas, b.lambdas) for a, b in zip(curves, old, strict=True)
+        ):
             self._show_values()
 
     def _show_scope(self) -> None:
@@ -188,7 +194,7 @@ class ShapePanel(QWidget):
         for mode, button in self.mode_buttons.items():
             button.setEnabled(not reason)
             describe(button, f"Make λ {mode.value}", reason or _MODE_TIPS[mode])
-        on_all = not selection.points and not selection.segments
+        on_all = not selection.count and not selection.segments
         self.all_button.setEnabled(selection.item is not None)
         self.all_button.setChecked(on_all and selection.item is not None)
         describe(self.all_button, "Act on every λ", "The controls act on every λ." if on_all else _ALL_TIP)
@@ -196,22 +202,28 @@ class ShapePanel(QWidget):
     def _show_values(self) -> None:
         curve = self._curve
         degree = curve.degree if curve is not None else 3
-        shown = self._targets if self._targets.size else self._selection.lambda_indices()
-        values = curve.lambdas[shown] if curve is not None else np.empty(0)
+        shown = self._targets if self._targets.size else Targets(self._selection.lambdas_across())
+        values = shown.values(self._document.drawing)
         common = float(values[0]) if values.size and (values == values[0]).all() else None
         middle = mean(values) if values.size and self._linked else None
         self.slider.show_values(values, degree, middle)
         self.field.show_value(common if middle is None else middle)
         for mode, button in self.mode_buttons.items():
-            button.setChecked(common == lambda_of(mode, degree))
+            of_mode = shown.of_mode(self._document.drawing, mode)
+            button.setChecked(bool(values.size and (values == of_mode).all()))
 
 
 def _title(selection: Selection) -> str:
     """Say which λ the controls act on."""
     if selection.item is None:
         return "SHAPE"
+    across = selection.lambdas_across()
     indices = selection.lambda_indices().tolist()
-    if selection.points:
+    if len(across) > 1:
+        whole = not selection.count and not selection.segments
+        what = "all λ" if whole else words.counted(sum(map(len, across.values())), "point")
+        what += f" on {len(across)} curves"
+    elif selection.points:
         what = f"{words.symbols('λ', indices)} ({words.counted(len(indices), 'point')} selected)"
     elif selection.segments:
         named = words.segments_named(selection.item.curve, selection.segments)
