@@ -159,7 +159,9 @@ def test_check_says_what_is_wrong_and_goes_on(capsys, tmp_path):
     bad.write_text('{"format": "theditor", "version": 2}')
     assert main(["check", str(bad), str(tmp_path / "no.json"), str(FIGURE_10)]) == 1
     wrong, missing, good, *_ = capsys.readouterr().out.splitlines()
-    assert wrong.startswith(f"{bad}: version is 2, and 1 is the newest this program reads")
+    assert wrong.startswith(
+        f"{bad}: version (line 1, column 35) is 2, and 1 is the newest this program reads"
+    )
     assert missing == f"{tmp_path / 'no.json'} cannot be read: there is no such file or folder."
     assert good == f"{FIGURE_10}: 1 curve"
 

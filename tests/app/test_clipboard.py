@@ -106,7 +106,7 @@ def test_a_table_of_numbers_becomes_a_curve_that_ends_at_its_first_and_last_poin
     [
         ("", "it holds no text: copy a curve"),
         ("Dear all,\nhello", "line 1, “Dear all,”, is no row of numbers: copy a curve"),
-        ('{"format": "theditor", "version": 99, "curves": []}', "version is 99"),
+        ('{"format": "theditor", "version": 99, "curves": []}', "is 99, and 1 is the newest"),
         ('{"format": "theditor", "version": 1, "curves": []}', "has no curves: copy a curve"),
         ("1 2", "needs at least 2 control points, not 1"),
         ("1e13 0\n0 0", "control point 0: x is"),

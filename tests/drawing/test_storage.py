@@ -158,14 +158,14 @@ def test_what_the_user_may_not_touch_is_told_apart(tmp_path):
 def test_a_fault_in_the_content_names_the_file(tmp_path):
     path = tmp_path / "bad.json"
     path.write_bytes(encode(OLD).replace(b'"degree": 3', b'"degree": 5'))
-    assert refusal(load, path) == f"{path}: curves[0].degree must be 2 or 3."
+    assert refusal(load, path) == f"{path}: curves[0].degree (line 3, column 29) must be 2 or 3."
 
 
 @pytest.mark.parametrize(
     ("content", "reason"),
     [
         (b"not mine", "The text is not JSON"),
-        (encode(OLD).replace(b'"version": 1', b'"version": 2'), "version is 2, and 1 is the newest"),
+        (encode(OLD).replace(b'"version": 1', b'"version": 2'), "version (line 1, column 35) is 2"),
         (encode(OLD)[:-5], "The text is not complete JSON"),
     ],
 )

@@ -2,7 +2,7 @@
 
 from theditor.drawing.change import Change, difference
 from theditor.drawing.drawing import Drawing, DrawingError, Item
-from theditor.drawing.schema import decode, encode
+from theditor.drawing.schema import decode, encode, json_schema
 from theditor.drawing.storage import load, save, shown, unreadable, write_atomically
 
 __all__ = [
@@ -13,6 +13,7 @@ __all__ = [
     "decode",
     "difference",
     "encode",
+    "json_schema",
     "load",
     "save",
     "shown",

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
 import msgspec
 from msgspec import Meta, Struct, field
 
+from theditor.drawing import migrations
 from theditor.drawing.drawing import (
     DEFAULT_COLOR,
     DEFAULT_NAME,
@@ -24,51 +24,95 @@ from theditor.drawing.drawing import (
     DrawingError,
     Item,
 )
-from theditor.spline import MAX_COORDINATE, MAX_LAMBDA, Curve, fewest_points
+from theditor.drawing.faults import FaultError, position, quoted, refuse_duplicate_keys
+from theditor.spline import MAX_COORDINATE, MAX_LAMBDA, Curve, Ends, fewest_points
+from theditor.spline.basis import Floats
 
 FORMAT = "theditor"
 VERSION = 1
 
+# Patterns in the dialect that JSON Schema and Python share; the lengths keep out a last newline, which $ lets pass.
+_ONE_LINE = r"^(?![\s\S]*[\u0000-\u001f\u007f-\u009f\u2028\u2029])"
+_COLOR = "^#[0-9A-Fa-f]{6}$"
+
 _Coordinate = Annotated[float, Meta(ge=-MAX_COORDINATE, le=MAX_COORDINATE)]
+_Point = Annotated[list[_Coordinate], Meta(min_length=2, max_length=3, description="x, y, and in space z.")]
 _Lambda = Annotated[float, Meta(ge=-MAX_LAMBDA, le=MAX_LAMBDA)]
 
 
-class _Style(Struct, forbid_unknown_fields=True):
-    color: Annotated[str, Meta(pattern="^#[0-9A-Fa-f]{6}$")] = DEFAULT_COLOR
-    width: Annotated[float, Meta(ge=WIDTH_RANGE[0], le=WIDTH_RANGE[1])] = DEFAULT_WIDTH
+def _fewest_points_rules() -> dict[str, Any]:
+    """Say in JSON Schema what `fewest_points` says, and that all points lie in the plane or all in space."""
+    rules: list[dict[str, Any]] = []
+    ends: tuple[Ends, ...] = ("free", "clamped")
+    for degree, closed, end in ((d, c, e) for d in (2, 3) for c in (False, True) for e in ends):
+        fewest = {"minItems": fewest_points(degree, closed, end)}
+        given = {"degree": {"const": degree}, "closed": {"const": closed}, "ends": {"const": end}}
+        required = ["degree", "closed"] + (["ends"] if end != "free" else [])  # left out, they are free
+        rules.append(
+            {
+                "if": {"properties": given, "required": required},
+                "then": {"properties": {"points": fewest, "lambda": fewest}},
+            }
+        )
+    plane, space = {"items": {"maxItems": 2}}, {"items": {"minItems": 3}}
+    return {"allOf": [*rules, {"properties": {"points": {"anyOf": [plane, space]}}}]}
 
 
-class _Curve(Struct, forbid_unknown_fields=True):
-    points: list[Annotated[list[_Coordinate], Meta(min_length=2, max_length=3)]]
-    lambdas: list[_Lambda] = field(name="lambda")
-    degree: Literal[2, 3]
-    closed: bool
-    name: Annotated[str, Meta(max_length=NAME_LENGTH)] = DEFAULT_NAME
-    ends: Literal["free", "clamped"] = "free"
-    style: _Style = field(default_factory=_Style)
-    visible: bool = True
-    locked: bool = False
+class Style(Struct, forbid_unknown_fields=True):
+    """How a curve is drawn."""
+
+    color: Annotated[str, Meta(pattern=_COLOR, max_length=7, description="Stroke colour.")] = DEFAULT_COLOR
+    width: Annotated[
+        float, Meta(ge=WIDTH_RANGE[0], le=WIDTH_RANGE[1], description="Stroke width in pixels.")
+    ] = DEFAULT_WIDTH
 
 
-class _File(Struct, forbid_unknown_fields=True):
+class CurveRecord(Struct, forbid_unknown_fields=True):
+    """A TH-type uniform B-spline with its name and style."""
+
+    points: Annotated[list[_Point], Meta(description="The control points in order.")]
+    lambdas: Annotated[
+        list[_Lambda], Meta(description="The shape parameter λ of each control point: as many as points.")
+    ] = field(name="lambda")
+    degree: Annotated[Literal[2, 3], Meta(description="Quadratic (C¹) or cubic (C²).")]
+    closed: Annotated[bool, Meta(description="Whether the curve ends where it began.")]
+    name: Annotated[str, Meta(max_length=NAME_LENGTH, pattern=_ONE_LINE, description="One line of text.")] = (
+        DEFAULT_NAME
+    )
+    ends: Annotated[
+        Literal["free", "clamped"], Meta(description="How an open curve ends; ignored while it is closed.")
+    ] = "free"
+    style: Style = field(default_factory=Style)
+    visible: Annotated[bool, Meta(description="Whether it is drawn.")] = True
+    locked: Annotated[bool, Meta(description="Whether it is guarded against edits.")] = False
+
+
+_RuledCurve = Annotated[CurveRecord, Meta(extra_json_schema=_fewest_points_rules())]
+
+
+class File(Struct, forbid_unknown_fields=True):
+    """A drawing of theditor."""
+
     format: Literal["theditor"]
     version: Literal[1]
-    curves: list[_Curve]
+    curves: Annotated[list[_RuledCurve], Meta(description="The first is drawn first, so the last is on top.")]
 
 
 class _Header(Struct):
     """What every version of the file has; read first, so that a newer file is refused by its number."""
 
-    format: Any = None
-    version: Any = None
+    format: Any = msgspec.UNSET
+    version: Any = msgspec.UNSET
 
 
 # What belongs at each place, for the reader of a message; list positions are left out.
 _EXPECTED = {
     "": "an object with format, version and curves",
+    "format": f'"{FORMAT}": this is not a drawing of this program',
+    "version": "a whole number such as 1",
     "curves": "a list of curves",
     "curves[]": "an object with points, lambda, degree and closed",
-    "curves[].name": f"text of at most {NAME_LENGTH} characters",
+    "curves[].name": f"one line of text without control characters, at most {NAME_LENGTH} characters long",
     "curves[].degree": "2 or 3",
     "curves[].closed": "true or false",
     "curves[].ends": '"free" or "clamped"',
@@ -85,6 +129,15 @@ _EXPECTED = {
 }
 
 
+def json_schema() -> dict[str, Any]:
+    """Return the JSON Schema (draft 2020-12) of the file, made from the very definition that `decode` reads by.
+
+    It cannot say that there are as many λ as points, that no key is given twice, and that 2.0 is no degree;
+    `decode` refuses these as well.
+    """
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **msgspec.json.schema(File)}
+
+
 def encode(drawing: Drawing) -> bytes:
     """Write a drawing as JSON in UTF-8, with a newline at the end.
 
@@ -99,134 +152,145 @@ def _curve_text(item: Item) -> str:
     curve = item.curve
     name, ends, color = (json.dumps(text, ensure_ascii=False) for text in (item.name, curve.ends, item.color))
     closed, visible, locked = (json.dumps(bool(flag)) for flag in (curve.closed, item.visible, item.locked))
-    points = ",\n".join(f"    {point!r}" for point in curve.control_points.tolist())
-    lambdas = ",\n".join(f"    {value!r}" for value in curve.lambdas.tolist())
+    points = _numbers(curve.control_points).replace(",", ", ").replace("], ", "],\n    ")
+    lambdas = _numbers(curve.lambdas).replace(",", ",\n    ")
     return (
         f'  {{"name": {name}, "degree": {curve.degree}, "closed": {closed}, "ends": {ends},\n'
-        f'   "points": [\n{points}\n   ],\n'
-        f'   "lambda": [\n{lambdas}\n   ],\n'
+        f'   "points": [\n    {points}\n   ],\n'
+        f'   "lambda": [\n    {lambdas}\n   ],\n'
         f'   "style": {{"color": {color}, "width": {item.width!r}}}, '
         f'"visible": {visible}, "locked": {locked}}}'
     )
 
 
+def _numbers(array: Floats) -> str:
+    return msgspec.json.encode(array.tolist()).decode()[1:-1]
+
+
 def decode(data: bytes) -> Drawing:
-    """Read a drawing from JSON.
+    """Read a drawing from JSON in UTF-8, with or without a byte order mark.
 
     Raises
     ------
     DrawingError
         If the data is not UTF-8 or not JSON (with line and column), has a field that is missing, unknown,
-        given twice or of another type or range (with its JSON path), or is of a newer version.
+        given twice or of another type or range (with its JSON path, line and column), or is of a newer version.
     """
-    _refuse_foreign_text(data)
+    text = _text(data)
     try:
-        _refuse_other_versions(msgspec.json.decode(data, type=_Header))
-        file = msgspec.json.decode(data, type=_File)
+        version = _version(msgspec.json.decode(text, type=_Header))
+        if version == VERSION:
+            file = msgspec.json.decode(text, type=File)
+            refuse_duplicate_keys(text)
+            return _drawing(file)
+        plain = msgspec.json.decode(text)
+        refuse_duplicate_keys(text)
     except msgspec.ValidationError as error:
-        raise DrawingError(_validation_sentence(str(error))) from None
+        raise _fault(str(error)).located(text) from None
+    except FaultError as fault:
+        raise fault.located(text) from None
     except msgspec.DecodeError as error:
-        raise DrawingError(_syntax_sentence(str(error), data)) from None
+        raise DrawingError(_syntax_sentence(str(error), text)) from None
     except RecursionError:
         raise DrawingError("Lists or objects are nested too deeply for a drawing.") from None
-    _refuse_duplicate_keys(data.decode())
+    return _drawing_of_version(version, plain)
+
+
+def _text(data: bytes) -> str:
+    encoding = json.detect_encoding(data)
+    if not encoding.startswith("utf-8"):
+        raise DrawingError(f"The text is {encoding[:6].upper()}: save it as UTF-8.")
+    data = data.removeprefix(b"\xef\xbb\xbf")
+    try:
+        return data.decode()
+    except UnicodeDecodeError as error:
+        before = data[: error.start].decode()
+        raise DrawingError(f"The text is not UTF-8 at {position(before, len(before))}.") from None
+
+
+def _version(header: _Header) -> int:
+    """Return a version that can be read."""
+    if header.format is msgspec.UNSET:
+        raise FaultError("", 'must have the field "format": this is not a drawing of this program')
+    if header.format != FORMAT:
+        raise FaultError("format", f"must be {_EXPECTED['format']}")
+    version, oldest = header.version, min(migrations.STEPS, default=VERSION)
+    if version is msgspec.UNSET:
+        raise FaultError("", 'must have the field "version"')
+    if type(version) is not int or not oldest <= version < 10**9:
+        raise FaultError("version", f"must be {_EXPECTED['version']}")
+    if version > VERSION:
+        raise FaultError(
+            "version",
+            f"is {version}, and {VERSION} is the newest this program reads: open it with a newer release of theditor",
+        )
+    return version
+
+
+def _drawing_of_version(version: int, plain: dict[str, Any]) -> Drawing:
+    """Read what is of an older version; its faults have no place in the text, which is not what is looked at."""
+    try:
+        return _drawing(msgspec.convert(migrations.migrated(plain, version, VERSION), File))
+    except msgspec.ValidationError as error:
+        raise _fault(str(error)).unlocated() from None
+    except FaultError as fault:
+        raise fault.unlocated() from None
+
+
+def _drawing(file: File) -> Drawing:
     return Drawing(_item(curve, f"curves[{index}]") for index, curve in enumerate(file.curves))
 
 
-def _item(source: _Curve, path: str) -> Item:
+def _item(source: CurveRecord, path: str) -> Item:
     points, lambdas = source.points, source.lambdas
     fewest = fewest_points(source.degree, source.closed, source.ends)
     if len(points) < fewest:
         kind = f"{'closed' if source.closed else source.ends} curve of degree {source.degree}"
-        raise DrawingError(
-            f"{path}.points must be at least {fewest} points for a {kind}, but there are {len(points)}."
+        raise FaultError(
+            f"{path}.points", f"must be at least {fewest} points for a {kind}, but there are {len(points)}"
         )
+    dimension = len(points[0])
     for index, point in enumerate(points):
-        if len(point) != len(points[0]):
-            raise DrawingError(
-                f"{path}.points[{index}] must have {len(points[0])} coordinates like the points before it, "
-                f"but has {len(point)}."
+        if len(point) != dimension:
+            raise FaultError(
+                f"{path}.points[{index}]",
+                f"must have {dimension} coordinates like the points before it, but has {len(point)}",
             )
     if len(lambdas) != len(points):
-        raise DrawingError(
-            f"{path}.lambda must have one number per point, but {len(points)} points have {len(lambdas)} λ."
+        raise FaultError(
+            f"{path}.lambda",
+            f"must have one number per point, but {len(points)} points have {len(lambdas)} λ",
         )
     curve = Curve(points, lambdas, source.degree, source.closed, source.ends)
     style = source.style
-    try:
-        return Item(curve, source.name, style.color, style.width, source.visible, source.locked)
-    except DrawingError as error:
-        raise DrawingError(f"{path}: {error}") from None
+    return Item(curve, source.name, style.color, style.width, source.visible, source.locked)
 
 
-def _refuse_foreign_text(data: bytes) -> None:
-    if data.startswith(b"\xef\xbb\xbf"):
-        raise DrawingError("The text begins with a byte order mark: save it as UTF-8 without one.")
-    try:
-        data.decode()
-    except UnicodeDecodeError as error:
-        raise DrawingError(f"The text is not UTF-8 at {_position(data, error.start)}.") from None
-
-
-def _refuse_other_versions(header: _Header) -> None:
-    if header.format != FORMAT:
-        raise DrawingError(f'format must be "{FORMAT}": this is not a drawing of this program.')
-    version = header.version
-    if type(version) is not int or version < 1:
-        raise DrawingError("version must be a whole number from 1.")
-    if version > VERSION:
-        raise DrawingError(
-            f"version is {version}, and {VERSION} is the newest this program reads: "
-            "open it with a newer release of theditor."
+def _fault(message: str) -> FaultError:
+    """Turn msgspec's message on a wrong value into a fault with path and expectation."""
+    if unknown := re.fullmatch(
+        r"Object contains unknown field `(.*?)`(?: - at `\$([\w.\[\]]*)`)?", message, re.S
+    ):
+        path = (unknown[2] or "").removeprefix(".")
+        return FaultError(
+            path, f"has the field {quoted(unknown[1])}, which is not part of the format", unknown[1]
         )
-
-
-def _validation_sentence(message: str) -> str:
-    """Turn msgspec's message on a wrong value into a sentence with path and expectation."""
     what, _, place = message.partition(" - at `$")
     path = place.rstrip("`").removeprefix(".")
-    owner = path or "the file"
     if missing := re.search("missing required field `(.*)`", what):
-        return f'{owner} must have the field "{missing[1]}".'
-    if unknown := re.search("unknown field `(.*)`", what):
-        return f"{owner} has the field {unknown[1]!a}, which is not part of the format."
-    kind = re.sub(r"\[\d+\]", "[]", path)
-    return f"{owner} must be {_EXPECTED[kind]}."
+        return FaultError(path, f'must have the field "{missing[1]}"')
+    expected = _EXPECTED[re.sub(r"\[\d+\]", "[]", path)]
+    return FaultError(path, f"must be {expected}")
 
 
-def _syntax_sentence(message: str, data: bytes) -> str:
+def _syntax_sentence(message: str, text: str) -> str:
     """Turn msgspec's message on malformed JSON into a sentence with line and column."""
     place = re.fullmatch(r"JSON is malformed: (.*) \(byte (\d+)\)", message)
-    if place is None:
-        return f"The text is not complete JSON: it ends too early, at {_position(data, len(data))}."
-    return f"The text is not JSON: {place[1]} at {_position(data, int(place[2]))}."
-
-
-def _position(data: bytes, byte: int) -> str:
-    before = data[:byte].decode(errors="replace")
-    return f"line {before.count(chr(10)) + 1}, column {len(before) - before.rfind(chr(10))}"
-
-
-# Lists of numbers hold no keys, and are nearly the whole of a file.
-_NUMBERS = re.compile(r'\[[^"{}]*\]')
-
-
-def _refuse_duplicate_keys(text: str) -> None:
-    """Refuse a key given twice, of which JSON libraries silently keep the last; the text is valid JSON."""
-    outline = json.loads(_NUMBERS.sub("0", text), object_pairs_hook=tuple)
-    for path in _duplicate_keys(outline, ""):
-        raise DrawingError(f"{path} is given twice.")
-
-
-def _duplicate_keys(node: object, path: str) -> Iterator[str]:
-    if isinstance(node, list):
-        for index, value in enumerate(node):
-            yield from _duplicate_keys(value, f"{path}[{index}]")
-    elif isinstance(node, tuple):  # an object, as its (key, value) pairs
-        seen: set[str] = set()
-        for key, value in node:
-            child = f"{path}.{key}".removeprefix(".")
-            if key in seen:
-                yield child
-            seen.add(key)
-            yield from _duplicate_keys(value, child)
+    if place is not None:
+        before = text.encode()[: int(place[2])].decode(errors="replace")
+        return f"The text is not JSON: {place[1]} at {position(before, len(before))}."
+    if text.rstrip().endswith("}") and re.search(r"\\u[dD][89a-fA-F]", text):
+        return (
+            r"The text is not Unicode: an escape from \ud800 to \udfff stands alone, which is no character."
+        )
+    return f"The text is not complete JSON: it ends too early, at {position(text, len(text))}."
