@@ -292,7 +292,7 @@ def test_what_is_nearly_a_known_curve_is_completed_in_one_step(info, document, s
     assert not info.complete.isVisible()
     document.apply_curve("Change λ", 0, curve.with_lambdas(4, 0.97))
     assert info.suggestion.text() == "λ₄ = 0.97: set to 1 to make it a hyperbola arc."
-    document.apply("Lock", Drawing([document.drawing[0].with_(locked=True)]))
+    document.apply("Lock", document.drawing.with_item(0, document.drawing[0].with_(locked=True)))
     assert not info.complete.isEnabled()
     document.undo()
     steps = document.undo_stack.count()

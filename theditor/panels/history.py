@@ -6,11 +6,12 @@ from typing import Any
 
 from PySide6.QtCore import QAbstractListModel, QItemSelectionModel, QModelIndex, Qt
 from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QListView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from theditor.model import Document
 from theditor.model.item_index import NO_INDEX, ModelIndex
 from theditor.panels.parts import describe
+from theditor.panels.rows import RowList
 
 _START = "Start"
 
@@ -41,12 +42,16 @@ class HistoryModel(QAbstractListModel):
         return None
 
     def _follow(self) -> None:
-        if self._stack.count() != self._count:
-            self.beginResetModel()
-            self._count = self._stack.count()
-            self.endResetModel()
-        else:
-            self.dataChanged.emit(self.index(0), self.index(self._count))
+        before, now = self._count, self._stack.count()
+        if now > before:
+            self.beginInsertRows(QModelIndex(), before + 1, now)
+            self._count = now
+            self.endInsertRows()
+        elif now < before:
+            self.beginRemoveRows(QModelIndex(), now + 1, before)
+            self._count = now
+            self.endRemoveRows()
+        self.dataChanged.emit(self.index(0), self.index(now))
 
 
 class HistoryPanel(QWidget):
@@ -57,9 +62,9 @@ class HistoryPanel(QWidget):
         self._document = document
         self._following = False
         self.model = HistoryModel(document, self)
-        self.list = QListView()
+        self.list = RowList(least=3, greatest=12)
         self.list.setModel(self.model)
-        self.list.setUniformItemSizes(True)
+        self.list.setSelectionMode(RowList.SelectionMode.SingleSelection)
         describe(self.list, "Undo history", "Every step so far; choose one to go back to it, or on again")
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 4, 8, 8)

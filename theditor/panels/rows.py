@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QRect, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QModelIndex, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QResizeEvent
-from PySide6.QtWidgets import QListView, QWidget
+from PySide6.QtWidgets import QHeaderView, QTableView, QWidget
 
 from theditor.model import Colours
 
@@ -12,16 +12,28 @@ ROW_HEIGHT = 28
 SWATCH = 12
 
 
-class RowList(QListView):
-    """A list as high as its rows, between a least and a greatest number of them; then it scrolls."""
+class RowList(QTableView):
+    """A list as high as its rows, between a least and a greatest number of them; then it scrolls.
+
+    It is a table of one column, since that asks the model only about rows that can be seen; a list view would ask
+    about every row to lay them out.
+    """
 
     def __init__(self, least: int, greatest: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._least, self._greatest = least, greatest
-        self.setUniformItemSizes(True)
         self.setMouseTracking(True)
-        self.setVerticalScrollMode(QListView.ScrollMode.ScrollPerPixel)
-        self.setFrameShape(QListView.Shape.NoFrame)
+        self.setVerticalScrollMode(QTableView.ScrollMode.ScrollPerPixel)
+        self.setSelectionBehavior(QTableView.SelectionBehavior.SelectRows)
+        self.setFrameShape(QTableView.Shape.NoFrame)
+        self.setShowGrid(False)
+        self.setTabKeyNavigation(False)
+        rows, columns = self.verticalHeader(), self.horizontalHeader()
+        rows.hide()
+        rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        rows.setDefaultSectionSize(ROW_HEIGHT)
+        columns.hide()
+        columns.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
 
     def sizeHint(self) -> QSize:
         """As high as the rows it holds, within its limits."""
@@ -32,6 +44,16 @@ class RowList(QListView):
     def minimumSizeHint(self) -> QSize:
         """High enough for the least number of rows."""
         return QSize(200, self._height(self._least))
+
+    def moveCursor(self, action: QTableView.CursorAction, modifiers: Qt.KeyboardModifier) -> QModelIndex:
+        """Home and End go to the first and the last row: there is but one column."""
+        ends = {
+            QTableView.CursorAction.MoveHome: 0,
+            QTableView.CursorAction.MoveEnd: self.model().rowCount() - 1,
+        }
+        return (
+            self.model().index(ends[action], 0) if action in ends else super().moveCursor(action, modifiers)
+        )
 
     def changeEvent(self, event: QEvent) -> None:
         """Repaint in the new colours."""

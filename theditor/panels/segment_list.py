@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from PySide6.QtCore import (
     QEvent,
     QPoint,
@@ -15,13 +13,13 @@ from PySide6.QtCore import (
     Signal,
 )
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPainterPath, QPen, QPolygonF
-from PySide6.QtWidgets import QAbstractItemView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
+from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from theditor.model import Colours, colours_for, unbreakable
 from theditor.model.item_index import ModelIndex
 from theditor.model.words import MODE_LETTERS
 from theditor.panels.parts import MARGIN, small_font, tabular
-from theditor.panels.rows import ROW_HEIGHT, SWATCH, RowList, paint_ground, paint_swatch
+from theditor.panels.rows import SWATCH, RowList, paint_ground, paint_swatch
 from theditor.panels.segment_model import SegmentModel
 from theditor.spline import Mode
 
@@ -60,10 +58,6 @@ class SegmentList(RowList):
         self.editable = True
         self.hot: tuple[int, Mode] | None = None
         self.pressed_cell: tuple[int, Mode] | None = None
-
-    def dataChanged(self, first: ModelIndex, last: ModelIndex, roles: Sequence[int] = ()) -> None:
-        """Repaint, without the layout of all rows anew that a list view goes for: they are all as high."""
-        QAbstractItemView.dataChanged(self, first, last, list(roles))
 
     def cell_at(self, position: QPoint) -> tuple[int, Mode] | None:
         """Row and mode of the button at a place in the viewport."""
@@ -130,9 +124,6 @@ class _SegmentDelegate(QStyledItemDelegate):
     def __init__(self, view: SegmentList) -> None:
         super().__init__(view)
         self._view = view
-
-    def sizeHint(self, option: QStyleOptionViewItem, index: ModelIndex) -> QSize:
-        return QSize(200, ROW_HEIGHT)
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: ModelIndex) -> None:
         colours = colours_for(self._view.palette())
