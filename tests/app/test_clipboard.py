@@ -209,3 +209,16 @@ def test_what_other_programs_mark_as_ours_is_checked_like_a_file(window):
     clipboard().setMimeData(data)
     window.actions_by_name["paste"].trigger()
     assert "is no drawing" in window.announced
+
+
+def test_all_selected_curves_are_cut_and_pasted_together(window, qtbot):
+    drawing = window.document.drawing
+    window.document.apply("Add", drawing.inserted(1, drawing[0].with_(name="Second")))
+    both = window.document.drawing
+    window.selection.select_across({0: [1], 1: [2, 3]})
+    window.clipboard.cut()
+    assert window.document.drawing == Drawing()
+    assert window.document.undo_stack.undoText() == "Cut 2 curves"
+    window.clipboard.paste_in_place()
+    assert window.document.drawing == both
+    assert window.selection.curves == (0, 1)

@@ -1,5 +1,5 @@
 import pytest
-from panel_hand import Hand, some_curve
+from panel_hand import CTRL, NONE, Hand, some_curve
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QColorDialog, QLineEdit
@@ -279,3 +279,41 @@ def test_curves_are_moved_up_and_down_and_stay_within_the_list(curves, document,
     curves.reorder(-5)
     assert names(document) == ["Ring", "Figure 10", "Third"]
     assert selection.curve == 0
+
+
+def test_several_rows_are_selected_and_edited_together(curves, document, selection, three):
+    for row, keys in ((0, NONE), (2, CTRL)):
+        three.click_at(curves.list.visualRect(curves.model.index(row)).center(), keys)
+    assert (selection.curves, selection.curve) == ((0, 2), 2)
+    start = document.drawing
+    curves.toggle_visible()
+    assert [item.visible for item in document.drawing] == [False, True, False]
+    assert document.undo_stack.undoText() == "Hide 2 curves"
+    curves.toggle_visible()
+    assert document.drawing == start
+    curves.duplicate_button.click()
+    assert names(document) == ["Figure 10", "Figure 10 copy", "Ring", "Third", "Third copy"]
+    assert (selection.curves, selection.curve) == ((1, 4), 4)
+    curves.delete_button.click()
+    assert document.drawing == start
+    assert document.undo_stack.undoText() == "Delete 2 curves"
+
+
+def test_what_is_selected_on_several_curves_shows_in_the_rows(curves, selection, three):
+    selection.select_across({0: [1], 1: [2]})
+    assert [index.row() for index in curves.list.selectionModel().selectedIndexes()] == [0, 1]
+    assert curves.list.currentIndex().row() == 0
+    three.click_at(curves.list.visualRect(curves.model.index(2)).center(), CTRL)
+    assert selection.curves == (0, 1, 2)
+    assert {i: of.tolist() for i, of in selection.across.items()} == {0: [1], 1: [2]}
+    three.click_at(curves.list.visualRect(curves.model.index(1)).center())
+    assert (selection.curves, selection.count) == ((1,), 1), "what is selected on the one that is left stays"
+
+
+def test_locked_curves_among_several_stay(curves, document, selection, three, qtbot):
+    document.apply("Lock", document.drawing.with_item(1, document.drawing[1].with_(locked=True)))
+    selection.select_across({0: [], 1: [], 2: []})
+    with qtbot.waitSignal(curves.announce) as told:
+        curves.delete()
+    assert told.args == ["2 curves are deleted; Undo brings them back. 1 locked curve stayed."]
+    assert names(document) == ["Ring"]

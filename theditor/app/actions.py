@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QKeySequence
 
-from theditor.app.command import Command, can_edit, has_curve
+from theditor.app.command import Command, can_edit, can_edit_any, has_curve
 from theditor.app.lambda_dialogs import LambdaDialog, formula_dialog, gradient_dialog, smooth_dialog
 from theditor.app.point_commands import point_commands
 from theditor.app.view_commands import view_commands
@@ -163,10 +163,10 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "cut",
             "Edit",
             "Cu&t",
-            "Copy the current curve, and delete it",
+            "Copy the selected curves, and delete them",
             window.clipboard.cut,
             ("Ctrl+X",),
-            can_edit,
+            can_edit_any,
             places=("curve",),
             gap=True,
         ),
@@ -174,7 +174,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "copy",
             "Edit",
             "&Copy",
-            "Copy the current curve, whole whatever is selected on it: as a curve, as text and as a picture",
+            "Copy the curves on which something is selected, whole: as curves, as text and as a picture",
             window.clipboard.copy,
             ("Ctrl+C",),
             has_curve,
@@ -259,8 +259,8 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
         Command(
             "duplicate",
             "Curve",
-            "&Duplicate curve",
-            "Add a copy of the current curve",
+            "&Duplicate curves",
+            "Put a copy of each selected curve on top of it",
             window.curves.duplicate,
             ("Ctrl+D",),
             has_curve,
@@ -270,11 +270,11 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
         Command(
             "delete",
             "Curve",
-            "De&lete curve",
-            "Remove the current curve",
+            "De&lete curves",
+            "Remove the selected curves",
             window.curves.delete,
             ("Delete",),
-            can_edit,
+            can_edit_any,
             on_list=True,
             places=("curve",),
             icon="delete",
@@ -292,8 +292,8 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
         Command(
             "hide",
             "Curve",
-            "Hide or sho&w curve",
-            "Hide the current curve, or show it again",
+            "Hide or sho&w curves",
+            "Hide the selected curves, or show them again",
             window.curves.toggle_visible,
             enabled=has_curve,
             places=("curve",),
@@ -301,8 +301,8 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
         Command(
             "lock",
             "Curve",
-            "Lo&ck or unlock curve",
-            "Guard the current curve against edits, or let it be edited again",
+            "Lo&ck or unlock curves",
+            "Guard the selected curves against edits, or let them be edited again",
             window.curves.toggle_locked,
             enabled=has_curve,
             places=("curve",),

@@ -37,30 +37,42 @@ class Clipboard:
         window.canvas.pointed.connect(self._point)
 
     def copy(self) -> None:
-        """Copy the current curve, whole whatever is selected on it."""
-        field, item = self._field(), self._window.selection.item
+        """Copy the selected curves, whole whatever is selected on them."""
+        field = self._field()
         if field is not None:
             field.copy()
-        elif item is not None:
-            self._window.document.settle()
-            QGuiApplication.clipboard().setMimeData(carried([item], self._window.canvas.plane.scale))
-            self._window.announce(f"Copied “{item.name}”: paste it here, as text, or into a drawing program.")
+        else:
+            self._copy(self._window.selection.curves)
+
+    def _copy(self, curves: Sequence[int]) -> str:
+        """Copy some curves; returns what to call them."""
+        window = self._window
+        window.document.settle()
+        items = [window.document.drawing[i] for i in curves]
+        if not items:
+            return ""
+        QGuiApplication.clipboard().setMimeData(carried(items, window.canvas.plane.scale))
+        named, them = (f"“{items[0].name}”", "it") if len(items) == 1 else (f"{len(items)} curves", "them")
+        window.announce(f"Copied {named}: paste {them} here, as text, or into a drawing program.")
+        return named
 
     def cut(self) -> None:
-        """Copy the current curve and delete it."""
+        """Copy the selected curves, but for locked ones, and delete them."""
         window, field = self._window, self._field()
         if field is not None:
             field.cut()
             return
-        item = window.selection.item
-        if item is None:
+        drawing, chosen = window.document.drawing, window.selection.curves
+        gone = [i for i in chosen if not drawing[i].locked]
+        if not gone:
+            if window.selection.item is not None:
+                window.announce(words.locked_reason(window.selection.item.name))
             return
-        if item.locked:
-            window.announce(words.locked_reason(item.name))
-            return
-        self.copy()
-        window.document.apply("Cut curve", window.document.drawing.without(window.selection.curve))
-        window.announce(f"Cut “{item.name}”.")
+        named = self._copy(gone)
+        left = Drawing(item for i, item in enumerate(window.document.drawing) if i not in set(gone))
+        window.document.apply("Cut curve" if len(gone) == 1 else f"Cut {len(gone)} curves", left)
+        kept = len(chosen) - len(gone)
+        window.announce(f"Cut {named}." + (f" {words.counted(kept, 'locked curve')} stayed." if kept else ""))
 
     def paste(self) -> None:
         """Paste curves with their middle at the pointer, or in the middle of the view if it is elsewhere."""
@@ -87,7 +99,8 @@ class Clipboard:
         drawing = window.document.drawing
         what = "curve" if len(items) == 1 else words.counted(len(items), "curve")
         window.document.apply(f"Paste {what}", Drawing([*drawing, *items]))
-        window.selection.select(curve=len(drawing), points=(), segments=())
+        new = range(len(drawing), len(drawing) + len(items))
+        window.selection.select_across(dict.fromkeys(new, ()), len(drawing), ())
         named = f"“{items[0].name}”" if len(items) == 1 else what
         window.announce(f"Pasted {named}.")
 

@@ -33,6 +33,12 @@ def can_edit(window: MainWindow) -> bool:
     return item is not None and not item.locked
 
 
+def can_edit_any(window: MainWindow) -> bool:
+    """Needs a selected curve that is not locked."""
+    selection = window.selection
+    return any(not selection.drawing[i].locked for i in selection.curves)
+
+
 @dataclass(frozen=True)
 class Command:
     """Something the user can do.

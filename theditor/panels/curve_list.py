@@ -31,6 +31,8 @@ from theditor.panels.parts import MARGIN
 from theditor.panels.rows import ROW_HEIGHT, SWATCH, RowList, paint_ground, paint_swatch, swatch_outline
 
 _ICON = 20
+_STRIPE = 3
+"""Width of the stripe that marks the current curve, one of several selected ones."""
 
 
 class CurveModel(QAbstractListModel):
@@ -139,7 +141,7 @@ class CurveList(RowList):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(least=1, greatest=5, parent=parent)
-        self.setSelectionMode(RowList.SelectionMode.SingleSelection)
+        self.setSelectionMode(RowList.SelectionMode.ExtendedSelection)
         triggers = RowList.EditTrigger
         self.setEditTriggers(triggers.DoubleClicked | triggers.EditKeyPressed)
         self.setItemDelegate(_CurveDelegate(self))
@@ -241,6 +243,8 @@ class _CurveDelegate(QStyledItemDelegate):
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         paint_ground(painter, row, selected, hovered, colours)
+        if index.row() == self._view.currentIndex().row():
+            painter.fillRect(QRect(row.left(), row.top(), _STRIPE, row.height()), QColor(colours.accent))
         _paint_eye(painter, QRectF(eye_rect(row)), item.visible, QColor(colours.secondary))
         if item.locked or hovered:
             shade = QColor(colours.secondary)
