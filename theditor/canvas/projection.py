@@ -9,17 +9,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from theditor.spline import Curve
+from theditor.spline import projected
+
+__all__ = ["moved", "projected"]
 
 Floats = NDArray[np.float64]
-
-
-def projected(curve: Curve) -> Curve:
-    """The curve as the canvas shows it; a plane curve is returned as it is."""
-    if curve.dimension == 2:
-        return curve
-    plane = np.ascontiguousarray(curve.control_points[:, :2])
-    return Curve(plane, curve.lambdas, degree=curve.degree, closed=curve.closed, ends=curve.ends)
 
 
 def moved(points: Floats, offset: Floats) -> Floats:

@@ -13,6 +13,7 @@ from theditor.spline.basis import (
 from theditor.spline.catalogue import KNOWN, Known, Parameter
 from theditor.spline.checks import MAX_COORDINATE, MAX_LAMBDA, fewest_points
 from theditor.spline.continuity import Continuity, JointReport, continuity
+from theditor.spline.convert import Outline, Piece, outline
 from theditor.spline.corners import corner, smooth
 from theditor.spline.crossings import intersections, self_intersections
 from theditor.spline.curvature import bending_energy, curvature, osculating_circle
@@ -25,8 +26,10 @@ from theditor.spline.guards import Guards, ReversedJoint, hull, negative_basis, 
 from theditor.spline.kinds import Kind
 from theditor.spline.lambdas import gradient, shifted, smoothed
 from theditor.spline.length import arc_length, arc_lengths, parameter_at
+from theditor.spline.path_data import path_data
 from theditor.spline.pieces import Split, closed, join, opened, split, with_free_ends
 from theditor.spline.points import Edited, insert, insert_on_edge, remove
+from theditor.spline.projection import projected
 from theditor.spline.reach import Reach, Track, joint_track, middle_track, reach
 from theditor.spline.recognise import Missing, Recognised, missing, recognise, recognise_segments
 from theditor.spline.sampling import (
@@ -63,7 +66,9 @@ __all__ = [
     "Known",
     "Missing",
     "Mode",
+    "Outline",
     "Parameter",
+    "Piece",
     "Pulled",
     "Reach",
     "Recognised",
@@ -104,7 +109,10 @@ __all__ = [
     "negative_basis",
     "opened",
     "osculating_circle",
+    "outline",
     "parameter_at",
+    "path_data",
+    "projected",
     "pull",
     "pull_points",
     "reach",

@@ -109,6 +109,11 @@ class Curve:
         ends = "closed" if self.closed else self.ends
         return f"<Curve: {ends} {kind}, {len(self.control_points)} points, {self.dimension}-D>"
 
+    def _repr_svg_(self) -> str:
+        from theditor.spline.path_data import picture  # which needs this class itself
+
+        return picture(self)
+
     # What the curve consists of
 
     @property
