@@ -12,6 +12,7 @@ from PySide6.QtGui import QKeySequence
 from theditor.app.command import Command, can_edit, can_edit_any, has_curve
 from theditor.app.lambda_dialogs import LambdaDialog, formula_dialog, gradient_dialog, smooth_dialog
 from theditor.app.point_commands import point_commands
+from theditor.app.recover_dialog import offer_all
 from theditor.app.view_commands import view_commands
 from theditor.spline import KNOWN, Known, Mode
 
@@ -133,6 +134,14 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "Save the drawing to another file",
             window.files.save_as,
             (_Standard.SaveAs, "Ctrl+Shift+S"),
+        ),
+        Command(
+            "recover",
+            "File",
+            "Reco&ver…",
+            "Bring back work that was not saved before the program ended, or that was discarded in the last days",
+            lambda: offer_all(window),
+            gap=True,
         ),
         Command(
             "quit", "File", "&Quit", "Close all windows", window.quit, (_Standard.Quit, "Ctrl+Q"), gap=True

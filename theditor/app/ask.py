@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Literal
 
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
@@ -37,6 +38,19 @@ def whether_to_save(parent: QWidget, title: str) -> QMessageBox.StandardButton:
         buttons.Save | buttons.Discard | buttons.Cancel,
         buttons.Save,
     )
+
+
+def whether_to_save_over(parent: QWidget, objection: str) -> Literal["replace", "elsewhere", ""]:
+    """Ask whether to save to a file in spite of something, to another one, or not at all."""
+    box = QMessageBox(QMessageBox.Icon.Warning, "Save over a changed file", objection, parent=parent)
+    box.setText(f"{objection} Replace what it holds?")
+    box.setStandardButtons(QMessageBox.StandardButton.Cancel)
+    replace = box.addButton("Replace", QMessageBox.ButtonRole.DestructiveRole)
+    elsewhere = box.addButton("Save as…", QMessageBox.ButtonRole.AcceptRole)
+    box.setDefaultButton(elsewhere)
+    box.exec()
+    chosen = box.clickedButton()
+    return "replace" if chosen is replace else "elsewhere" if chosen is elsewhere else ""
 
 
 def whether_to_replace(parent: QWidget, path: Path, reason: str) -> bool:

@@ -14,6 +14,7 @@ from theditor.app.recent import recent_files, remember_file
 from theditor.app.tour import lead
 from theditor.app.view import keep_view, show_kept_view
 from theditor.drawing import Drawing, DrawingError, load, unreadable
+from theditor.model.kept_work import KeptWork
 from theditor.resources import gallery
 
 if TYPE_CHECKING:
@@ -25,11 +26,12 @@ class Files:
 
     def __init__(self, window: MainWindow) -> None:
         self._window = window
+        self._ended_with: Drawing | None = None
+        window.document.leaving.connect(self._keep_view)
 
     def new(self) -> None:
         """Start an empty drawing, once the old one may go."""
         if self.may_discard():
-            self.keep_view()
             self._window.document.start(Drawing())
             self._window.canvas.fit()
 
@@ -43,14 +45,13 @@ class Files:
 
     def open_path(self, path: Path) -> bool:
         """Open a file; if it cannot be read, say why and keep the drawing."""
-        self.keep_view()
+        self._window.messages.hide()
         try:
             self._window.document.open(path)
         except DrawingError as error:
             self._report(error)
             return False
         remember_file(path)
-        self._window.messages.hide()
         show_kept_view(path, self._window.canvas)
         return True
 
@@ -63,7 +64,6 @@ class Files:
 
     def open_picture(self, name: str) -> None:
         """Open a copy of a gallery picture; saving it asks for a file."""
-        self.keep_view()
         picture = next(picture for picture in gallery() if picture.name == name)
         self._window.document.start(load(picture.path), picture.title.split(" · ")[0])
         self._window.messages.hide()
@@ -92,12 +92,39 @@ class Files:
         """Whether the drawing may go: nothing is unsaved, or the user saved it or gave it up."""
         self._settle()
         document = self._window.document
-        if document.is_clean:
+        if document.is_clean or document.drawing is self._ended_with:
             return True
         answer, button = ask.whether_to_save(self._window, document.title), QMessageBox.StandardButton
         return answer == button.Discard or (answer == button.Save and self.save())
 
-    def keep_view(self) -> None:
+    def recover(self, work: KeptWork, drawing: Drawing) -> None:
+        """Show work that was kept from being lost; it is still to be saved."""
+        about, window = work.about, self._window
+        window.document.recover(drawing, about.title, about.path, about.fingerprint)
+        window.recovery.adopt(work)
+        window.canvas.fit()
+        if not window.messages.text:
+            window.messages.tell(f"This is “{window.document.title}” as it was kept, not saved yet.")
+
+    def expect_end(self) -> None:
+        """Keep what is not saved for the next start; closing asks no more, unless something changes until then."""
+        self._settle()
+        self._ended_with = self._window.document.drawing
+        self._window.recovery.keep()
+        self._window.recovery.flush()
+
+    def leave(self) -> None:
+        """The window closes: what was discarded stays recoverable, and the file is free for others."""
+        self._keep_view()
+        recovery, document = self._window.recovery, self._window.document
+        if document.drawing is self._ended_with:
+            recovery.leave()
+        else:
+            recovery.give_up()
+            recovery.flush()
+        self._window.outside.close()
+
+    def _keep_view(self) -> None:
         """Remember how the file is looked at, before the drawing goes."""
         keep_view(self._window.document.path, self._window.canvas)
 
@@ -121,13 +148,20 @@ class Files:
         self._window.document.settle()
 
     def _save_to(self, path: Path, overwrite: bool = False) -> bool:
+        objection = self._window.outside.objection(path)
+        if objection:
+            with self._window.outside.paused():
+                answer = ask.whether_to_save_over(self._window, objection)
+            if answer != "replace":
+                return answer == "elsewhere" and self.save_as()
+            overwrite = True
+        self._window.messages.hide()
         try:
             self._window.document.save(path, overwrite)
         except DrawingError as error:
             self._report(error)
             return False
         remember_file(path)
-        self._window.messages.hide()
         self._window.announce(f"Saved {path}")
         return True
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QApplication
 
+from theditor.app.ending import Ending
 from theditor.app.main_window import MainWindow
 from theditor.app.problems import catch_everything, start_log
+from theditor.app.recover_dialog import offer_after_crash
 from theditor.app.theme import follow_system
+from theditor.app.windows import active_window, open_windows
 
 FIRST_PICTURE = "figure-10"
 
@@ -17,10 +19,12 @@ FIRST_PICTURE = "figure-10"
 def run(paths: list[Path]) -> int:
     """Open a window for each file, or one with the paper's Figure 10, and stay until the last is closed.
 
+    What an earlier run could not save is offered first.
+
     Returns
     -------
     int
-        The exit code.
+        The exit code; 128 and the number of the signal that ended it.
     """
     app = QApplication.instance() or QApplication(["theditor"])
     assert isinstance(app, QApplication)
@@ -29,26 +33,33 @@ def run(paths: list[Path]) -> int:
     app.setStyle("Fusion")
     start_log()
     follow_system()
-    windows = [MainWindow()]
-    catch_everything(lambda text: _active(windows).messages.tell(text))
-    windows[0].show()
+    catch_everything(_caught)
+    Ending(app)
+    first = last = MainWindow()
+    first.show()
     if not paths:
-        windows[0].open_picture(FIRST_PICTURE)
+        first.open_picture(FIRST_PICTURE)
     faults = []
     for path in paths:
-        window = windows[-1] if windows[-1].document.path is None else MainWindow()
-        if not window.open_path(path):
-            faults.append(window.messages.text)
-        elif window not in windows:
-            window.move(windows[-1].pos() + QPoint(32, 32))
-            windows.append(window)
-            window.show()
+        window = last if last.document.path is None else last.beside()
+        if window.open_path(path):
+            last = window
+            continue
+        faults.append(window.messages.text)
+        if window is not last:
+            window.close()
     if faults:
-        windows[0].messages.tell("\n".join(faults))
-    return app.exec()
+        first.messages.tell("\n".join(faults))
+    offer_after_crash(first)
+    code = app.exec()
+    open_windows.clear()
+    return code
 
 
-def _active(windows: list[MainWindow]) -> MainWindow:
-    active = QApplication.activeWindow()
-    visible = [window for window in windows if window.isVisible()]
-    return active if isinstance(active, MainWindow) else (visible or windows)[0]
+def _caught(text: str) -> None:
+    """Tell of an error, and keep what is not saved before anything else can happen."""
+    window = active_window()
+    if window is not None:
+        window.messages.tell(text)
+    for each in open_windows:
+        each.recovery.keep()

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QEvent, QSettings, QSize, Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QKeySequence
+from PySide6.QtCore import QEvent, QPoint, QSettings, QSize, Qt, QTimer
+from PySide6.QtGui import QCloseEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import (
     QApplication,
     QLabel,
@@ -25,15 +25,18 @@ from theditor.app.files import Files
 from theditor.app.insert_dialog import InsertDialog
 from theditor.app.lambda_dialogs import LambdaDialog
 from theditor.app.menus import build_menus, tint_icons
+from theditor.app.outside import Outside
 from theditor.app.palette import Palette
 from theditor.app.preferences import Preferences
 from theditor.app.problems import MessageBar
 from theditor.app.shortcuts import Shortcuts
 from theditor.app.tour import GuideBar
+from theditor.app.windows import open_windows
 from theditor.canvas import Canvas, Pointed
 from theditor.canvas.held import every_point
 from theditor.drawing import Item
 from theditor.model import Document, Selection
+from theditor.model.recovery import Recovery
 from theditor.panels.basis import BasisPanel
 from theditor.panels.continuity import ContinuityPanel
 from theditor.panels.curvature import CurvaturePanel
@@ -64,6 +67,8 @@ class MainWindow(QMainWindow):
         self.selection = Selection(self.document, self)
         self.canvas = Canvas(self.document, self.selection)
         self.messages, self.guide = MessageBar(), GuideBar()
+        self.recovery = Recovery(self.document, self)
+        self.outside = Outside(self)
         self.files = Files(self)
         self.clipboard = Clipboard(self)
         self._build_panels()
@@ -148,6 +153,9 @@ class MainWindow(QMainWindow):
     def _follow(self) -> None:
         document, stack = self.document, self.document.undo_stack
         document.started.connect(self.guide.hide)
+        self.recovery.failed.connect(
+            lambda problem: self.announce(f"Unsaved work cannot be kept for a crash: {problem}")
+        )
         document.renamed.connect(self._show_title)
         document.changed.connect(self._show_state)
         stack.cleanChanged.connect(self._show_state)
@@ -303,6 +311,24 @@ class MainWindow(QMainWindow):
             "Mathematical Problems in Engineering 2014, 242469.</p><p>MIT licence.</p>",
         )
 
+    @property
+    def is_unused(self) -> bool:
+        """Whether nothing was done in it yet: an example, perhaps, but nobody's work."""
+        document = self.document
+        return document.path is None and document.is_clean and document.undo_stack.count() == 0
+
+    def beside(self) -> MainWindow:
+        """Open another, empty window beside this one."""
+        window = MainWindow()
+        window.move(self.pos() + QPoint(32, 32))
+        window.show()
+        return window
+
+    def come_to_front(self) -> None:
+        """Be the window the user is in."""
+        self.raise_()
+        self.activateWindow()
+
     def quit(self) -> None:
         """Close all windows, unless one of them stays."""
         QApplication.closeAllWindows()
@@ -312,13 +338,23 @@ class MainWindow(QMainWindow):
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
             tint_icons(self)
+        elif event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
+            self.outside.check()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Count as open from now on."""
+        super().showEvent(event)
+        if self not in open_windows:
+            open_windows.append(self)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask about unsaved changes, and keep the layout for the next time."""
         if not self.may_discard():
             event.ignore()
             return
-        self.files.keep_view()
+        self.files.leave()
+        if self in open_windows:
+            open_windows.remove(self)
         settings = QSettings()
         settings.setValue("geometry", self.saveGeometry())
         settings.setValue("layout", self.saveState())

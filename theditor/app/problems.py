@@ -10,14 +10,16 @@ from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from types import TracebackType
 
-from PySide6.QtCore import QMessageLogContext, QStandardPaths, Qt, QtMsgType, qInstallMessageHandler
+from PySide6.QtCore import QMessageLogContext, Qt, QtMsgType, qInstallMessageHandler
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
+
+from theditor.model.data_folder import data_folder
 
 log = logging.getLogger("theditor")
 
 
 class MessageBar(QFrame):
-    """A bar across the top of the canvas that says what went wrong; it stays until it is closed."""
+    """A bar across the top of the canvas that says what went wrong; it stays until it is answered or closed."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -30,18 +32,32 @@ class MessageBar(QFrame):
         close = QPushButton("Close")
         close.setAccessibleName("Close the message")
         close.clicked.connect(self.hide)
+        self._answers: list[QPushButton] = []
         layout = QHBoxLayout(self)
         layout.setContentsMargins(16, 8, 12, 8)
         layout.setSpacing(12)
         layout.addWidget(self._label)
         layout.addWidget(close)
+        self._layout = layout
         self.hide()
 
-    def tell(self, text: str) -> None:
-        """Show `text` in place of what was told before."""
+    def tell(self, text: str, *answers: tuple[str, Callable[[], object]]) -> None:
+        """Show `text` in place of what was told before, with a button for each answer: its words and what it does."""
+        for button in self._answers:
+            self._layout.removeWidget(button)
+            button.deleteLater()
+        self._answers = [self._answer(*answer) for answer in answers]
         self._label.setText(text)
         self.setAccessibleName(text)
         self.show()
+
+    def _answer(self, words: str, act: Callable[[], object]) -> QPushButton:
+        button = QPushButton(words)
+        button.setAccessibleName(words)
+        button.clicked.connect(self.hide)
+        button.clicked.connect(lambda: act())
+        self._layout.insertWidget(self._layout.count() - 1, button)
+        return button
 
     @property
     def text(self) -> str:
@@ -51,8 +67,7 @@ class MessageBar(QFrame):
 
 def log_path() -> Path:
     """The log file: beside the application's data."""
-    folder = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppLocalDataLocation)
-    return Path(folder) / "theditor.log"
+    return data_folder() / "theditor.log"
 
 
 def start_log() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import hashlib
 import os
 import secrets
 import shutil
@@ -55,13 +56,18 @@ def load(path: str | os.PathLike[str]) -> Drawing:
         raise DrawingError(f"{shown(path)}: {error}") from None
 
 
-def save(drawing: Drawing, path: str | os.PathLike[str], overwrite: bool = False) -> None:
+def save(drawing: Drawing, path: str | os.PathLike[str], overwrite: bool = False) -> str:
     """Write a drawing to a file as `write_atomically` does.
 
     Parameters
     ----------
     overwrite
         Whether the file may be replaced even if it holds something that is not a drawing of this version.
+
+    Returns
+    -------
+    str
+        The `fingerprint` of what was written.
 
     Raises
     ------
@@ -81,6 +87,20 @@ def save(drawing: Drawing, path: str | os.PathLike[str], overwrite: bool = False
             f"can read; choose another name. ({reason})"
         )
     write_atomically(path, data)
+    return hashlib.sha256(data).hexdigest()
+
+
+def fingerprint(path: str | os.PathLike[str]) -> str | None:
+    """Tell by the SHA-256 of what a file holds whether it still is what was read or written.
+
+    None if there is no such file, or it cannot be read.
+    """
+    try:
+        _refuse_unless_regular(os.stat(path))
+        with open(path, "rb", opener=_open_without_waiting) as file:
+            return hashlib.file_digest(file, "sha256").hexdigest()
+    except (OSError, ValueError):  # ValueError: no path can be spelt so
+        return None
 
 
 def unreadable(path: str | os.PathLike[str]) -> str | None:

@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from theditor.drawing import Drawing, load, save
+from theditor.drawing import Drawing, fingerprint, load, save
 from theditor.drawing.change import Change, difference
 from theditor.model.gesture import Gesture
 from theditor.spline import Curve
@@ -25,6 +25,9 @@ class Document(QObject):
     changed = Signal(object, object)
     """The drawing was replaced: old value, new value. Sent for previews of a gesture, too."""
 
+    leaving = Signal()
+    """Everything is about to be replaced: what is not saved or kept now is lost."""
+
     started = Signal()
     """Everything was replaced: another drawing was opened or begun."""
 
@@ -39,6 +42,7 @@ class Document(QObject):
         self._drawing = drawing if drawing is not None else Drawing()
         self._path: Path | None = None
         self._title = UNTITLED
+        self._known: str | None = None
         self._gesture: Gesture | None = None
         self._run = 0
         self._jumping = False
@@ -60,6 +64,11 @@ class Document(QObject):
     def title(self) -> str:
         """What to call this drawing: its file's name, or a title while it has no file."""
         return self._path.stem if self._path else self._title
+
+    @property
+    def fingerprint(self) -> str | None:
+        """Fingerprint of what the file held when it was last read or written here, None without a file."""
+        return self._known
 
     @property
     def is_clean(self) -> bool:
@@ -154,12 +163,58 @@ class Document(QObject):
         DrawingError
             The file cannot be read; the document is as it was.
         """
+        known = fingerprint(path)  # before it is read: a change in between is noticed later on
         drawing = load(path)
-        self._start_anew(drawing, path, path.stem)
+        self._start_anew(drawing, path, path.stem, known)
 
     def start(self, drawing: Drawing, title: str = UNTITLED) -> None:
         """Replace everything by a drawing that has no file yet."""
-        self._start_anew(drawing, None, title)
+        self._start_anew(drawing, None, title, None)
+
+    def recover(self, drawing: Drawing, title: str, path: Path | None, known: str | None) -> None:
+        """Replace everything by unsaved work on the file at `path`, whose fingerprint was `known` then."""
+        self._start_anew(drawing, path, title, known)
+        self.mark_unsaved()
+
+    def reload(self) -> None:
+        """Take over what the file holds now, in an undo step; reloads without anything in between are one step.
+
+        Raises
+        ------
+        DrawingError
+            The file cannot be read; the document is as it was.
+        ValueError
+            There is no file.
+        """
+        if self._path is None:
+            raise ValueError("the drawing has no file to reload")
+        known = fingerprint(self._path)
+        drawing = load(self._path)
+        self.settle()
+        self.mark_unsaved()  # a saved state is never merged into another step
+        self.apply("Reload", drawing, merge="reload")
+        self._known = known
+        self.undo_stack.setClean()
+
+    def mark_unsaved(self) -> None:
+        """Count every state as unsaved until the next save: the file holds none of them any more."""
+        self.undo_stack.resetClean()
+
+    def insist(self) -> None:
+        """Keep the drawing in spite of what the file holds now; the next save may replace that."""
+        self._known = fingerprint(self._path) if self._path is not None else None
+        self.mark_unsaved()
+
+    @property
+    def differs_on_disk(self) -> bool:
+        """Whether the file holds something else than was last read or written here; a file that is gone does not."""
+        found = fingerprint(self._path) if self._path is not None else None
+        return found is not None and found != self._known
+
+    def leave_file(self, title: str) -> None:
+        """Go on without the file, under a title: as a copy of it."""
+        self._path, self._title, self._known = None, title, None
+        self.renamed.emit()
 
     def save(self, path: Path | None = None, overwrite: bool = False) -> None:
         """Save to `path`, or to the document's own file; `overwrite` as for `theditor.drawing.save`.
@@ -175,18 +230,19 @@ class Document(QObject):
         path = path or self._path
         if path is None:
             raise ValueError("the drawing has no file yet: name one")
-        save(self._drawing, path, overwrite or path == self._path)
+        self._known = save(self._drawing, path, overwrite or path == self._path)
         self._path = path
         self.undo_stack.setClean()
         self.renamed.emit()
 
     # Inner workings
 
-    def _start_anew(self, drawing: Drawing, path: Path | None, title: str) -> None:
+    def _start_anew(self, drawing: Drawing, path: Path | None, title: str, known: str | None) -> None:
         if self._gesture is not None:
             self._gesture.cancel()
+        self.leaving.emit()
         self.undo_stack.clear()
-        self._path, self._title = path, title
+        self._path, self._title, self._known = path, title, known
         self._show(drawing)
         self.started.emit()
         self.renamed.emit()

@@ -1,0 +1,31 @@
+"""The windows of this process that are open."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QApplication
+
+if TYPE_CHECKING:
+    from theditor.app.main_window import MainWindow
+
+open_windows: list[MainWindow] = []
+"""Each from when it is shown until it is closed, which also keeps it alive."""
+
+
+def active_window() -> MainWindow | None:
+    """The window the user is in, else the first; None if all are closed."""
+    active = QApplication.activeWindow()
+    return next((window for window in open_windows if window is active), next(iter(open_windows), None))
+
+
+def window_on(path: Path, besides: MainWindow) -> MainWindow | None:
+    """Another window that has a file open, if there is one."""
+    target = os.path.realpath(path)
+    for window in open_windows:
+        other = window.document.path
+        if window is not besides and other is not None and os.path.realpath(other) == target:
+            return window
+    return None
