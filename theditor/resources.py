@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from importlib import metadata
 from pathlib import Path
 from typing import Any
 
@@ -83,6 +82,8 @@ def _setup(entry: dict[str, Any]) -> Setup:
 
 def version() -> str:
     """Return the installed version, or "unknown" where the package runs without being installed."""
+    from importlib import metadata  # takes longer to load than all else here, and is seldom asked for
+
     try:
         return metadata.version("theditor")
     except metadata.PackageNotFoundError:

@@ -7,7 +7,7 @@ from math import hypot, sqrt
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from theditor.spline import checks, joints, kinds, wording
 from theditor.spline.basis import Floats, Mode, lambda_of
@@ -141,28 +141,44 @@ def missing(curve: "Curve", segment: int) -> Missing | None:
 
 def _recognised(parts: Segments, degree: int, modes: Sequence[Mode]) -> tuple[Recognised | None, ...]:
     """Return what the segments are, each taken to be of its mode."""
-    solved = {
-        mode: coefficients(parts, degree, mode).transpose(2, 0, 1).tolist()
-        for mode in _NAMES
-        if mode in modes
-    }
-    found: list[Recognised | None] = []
-    for j, (mode, limit) in enumerate(zip(modes, tolerances(parts).tolist(), strict=True)):
-        curved = _curved(mode, solved[mode][j], limit) if mode in solved else None
-        found.append(curved or _straight(parts.take(np.array([j])), degree, mode, limit))
+    found: list[Recognised | None] = [None] * len(modes)
+    limits = tolerances(parts)
+    for mode in _NAMES:
+        if rows := [row for row, each in enumerate(modes) if each is mode]:
+            curved = _curved(parts.take(np.array(rows)), degree, mode, limits[rows])
+            for row, segment in zip(rows, curved, strict=True):
+                found[row] = segment
+    spanning = np.stack((parts.end - parts.start, parts.bend_start, parts.bend_end))
+    directions, counts = _directions(spanning, limits)
+    for row, count in enumerate(counts.tolist()):
+        if found[row] is None and (count < 2 or modes[row] in _NAMES):
+            one, along = parts.take(np.array([row])), directions[0, :, row] if count else None
+            found[row] = _straight(one, degree, modes[row], along, float(limits[row]))
     return tuple(found)
 
 
-def _curved(mode: Mode, c: Sequence[Vector], tolerance: float) -> Recognised | None:
-    """Return what the curve with coefficients c0 … c3 is; None if it is straight."""
+def _curved(parts: Segments, degree: int, mode: Mode, limits: Floats) -> list[Recognised | None]:
+    """Return what the segments of a mode with names are; None for those that are straight."""
+    c = coefficients(parts, degree, mode)
     spanning = c[1:]
     if mode is Mode.HYPERBOLIC:  # exp t and exp(−t), of which one alone makes an exponential
-        _, c1, c2, c3 = c
-        sums = [((a + b) / 2, (a - b) / 2) for a, b in zip(c2, c3, strict=True)]
-        spanning = [c1, *zip(*sums, strict=True)]
-    directions = _directions(spanning, tolerance)
-    if len(directions) < 2:
-        return None
+        spanning = np.stack((c[1], (c[2] + c[3]) / 2, (c[2] - c[3]) / 2))
+    directions, counts = _directions(spanning, limits)
+    rows = zip(
+        c.transpose(2, 0, 1).tolist(),
+        directions.transpose(2, 0, 1).tolist(),
+        counts.tolist(),
+        limits.tolist(),
+        strict=True,
+    )
+    return [
+        _named(mode, vectors, axes[:count], limit) if count > 1 else None
+        for vectors, axes, count, limit in rows
+    ]
+
+
+def _named(mode: Mode, c: Sequence[Vector], directions: Sequence[Vector], tolerance: float) -> Recognised:
+    """Return what the curve with coefficients c0 … c3 is, which runs in two or three directions."""
     kind, parameters = (
         _in_space(mode, c, tolerance) if len(directions) == 3 else _in_plane(mode, c, directions, tolerance)
     )
@@ -211,16 +227,14 @@ def _in_space(mode: Mode, c: Sequence[Vector], tolerance: float) -> tuple[Kind, 
     return Kind.HELIX, {"centre": tuple(c0), **sizes, "axis": axis}
 
 
-def _straight(parts: Segments, degree: int, mode: Mode, tolerance: float) -> Recognised | None:
-    """Return the one segment as a point or line; None if it is of a mode without names and neither."""
-    spanning = [v[:, 0].tolist() for v in (parts.end - parts.start, parts.bend_start, parts.bend_end)]
-    directions = _directions(spanning, tolerance)
-    if not directions:
+def _straight(
+    parts: Segments, degree: int, mode: Mode, direction: Floats | None, tolerance: float
+) -> Recognised:
+    """Return the one segment as a line in a direction, or as a point if it has none."""
+    if direction is None:
         position = tuple(parts.start[:, 0].tolist())
         return Recognised(Kind.POINT, {"position": position}, mode, (), tolerance)
-    if len(directions) > 1 and mode not in _NAMES:
-        return None
-    start, end = _stretch(parts, degree, np.array(directions[0]))
+    start, end = _stretch(parts, degree, direction)
     return Recognised(Kind.LINE, {"start": start, "end": end}, mode, (), tolerance)
 
 
@@ -250,19 +264,31 @@ def _stretch(parts: Segments, degree: int, direction: Floats) -> tuple[tuple[flo
     return tuple(start), tuple(end)
 
 
-def _directions(vectors: Sequence[Vector], tolerance: float) -> list[Vector]:
-    """Return orthogonal unit vectors that span the vectors within the tolerance, the longest's first."""
-    rest = list(vectors)
-    found: list[Vector] = []
-    for _ in range(len(vectors[0])):
-        longest = max(rest, key=lambda v: _dot(v, v))
-        length = sqrt(_dot(longest, longest))
-        if length <= tolerance:
+def _directions(vectors: Floats, tolerance: Floats) -> tuple[Floats, NDArray[np.intp]]:
+    """Return orthogonal unit vectors that span each segment's vectors within its tolerance, the longest's first.
+
+    `vectors` is (p, d, k) for k segments; the result (d, d, k), zero beyond the number of directions, and that
+    number (k,).
+    """
+    rest = vectors.copy()
+    _, dimension, count = vectors.shape
+    units = np.zeros((dimension, dimension, count))
+    more, found = np.ones(count, dtype=bool), np.zeros(count, dtype=np.intp)
+    for step in range(dimension):
+        lengths = np.sqrt(np.einsum("pdk,pdk->pk", rest, rest))
+        more &= lengths.max(axis=0) > tolerance
+        if not more.any():
             break
-        unit = [x / length for x in longest]
-        found.append(unit)
-        rest = [[x - _dot(v, unit) * e for x, e in zip(v, unit, strict=True)] for v in rest]
-    return found
+        found += more
+        longest = lengths.argmax(axis=0)[None]
+        np.divide(
+            np.take_along_axis(rest, longest[:, None], axis=0)[0],
+            np.take_along_axis(lengths, longest, axis=0),
+            out=units[step],
+            where=more,
+        )
+        rest -= np.einsum("pdk,dk->pk", rest, units[step])[:, None] * units[step]
+    return units, found
 
 
 def _axes_of_plane(a: Vector, b: Vector) -> tuple[Vector, Vector, Vector]:
