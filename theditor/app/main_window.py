@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from theditor.app.actions import commands
 from theditor.app.clipboard import Clipboard
 from theditor.app.context_menus import ContextMenus
+from theditor.app.coordinates import Coordinates
 from theditor.app.docks import add_dock, scrolling_column
 from theditor.app.files import Files
 from theditor.app.insert_dialog import InsertDialog
@@ -72,6 +73,7 @@ class MainWindow(QMainWindow):
         self.files = Files(self)
         self.clipboard = Clipboard(self)
         self._build_panels()
+        self.coordinates = Coordinates(self)
         self.commands = commands(self)
         self.actions_by_name = build_menus(self)
         tint_icons(self)

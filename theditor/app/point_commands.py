@@ -89,6 +89,17 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
 
     return (
         Command(
+            "coordinates",
+            "Point",
+            "T&ype coordinates",
+            "Type x and y of the selected points: a number, 2/3, +1.5 or *2; several are moved together",
+            window.coordinates.edit,
+            ("Return", "Enter"),
+            has_points,
+            on_canvas=True,
+            places=("point",),
+        ),
+        Command(
             "insert_point",
             "Point",
             "&Insert control point",

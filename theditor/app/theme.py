@@ -195,6 +195,8 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QToolTip { background: $panel; color: $text; border: 1px solid $border; padding: 4px 6px; }
 QFrame[role="rule"] { background: $border; max-height: 1px; min-height: 1px; border: none; }
 QFrame[role="message"] { background: $selection; border-bottom: 1px solid $accent; }
+QFrame[role="card"] { background: $panel; border: 1px solid $border; border-radius: 6px; }
+QFrame[role="card"] QLabel { color: $secondary; }
 QFrame[role="guide"] { background: $panel; border-bottom: 1px solid $border; }
 QFrame[role="message"] QLabel { color: $text; }
 """

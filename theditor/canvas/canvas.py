@@ -106,6 +106,11 @@ class Canvas(PlaneView):
             return taken or bool(super().event(event))
         return bool(super().event(event))
 
+    @property
+    def dragging(self) -> bool:
+        """Whether the mouse has something in its hand."""
+        return self._drag is not None and self._drag_moved
+
     # What is shown
 
     def fit(self) -> None:

@@ -29,13 +29,18 @@ def nudge(bench: Bench, keys: Keys) -> bool:
     if direction is None or not chosen:
         return False
     scale = bench.view.plane.scale
-    step = 1.0 / scale if keys.ctrl else preferred_step() or steps(scale)[1]
-    offset = np.array(direction) * step * (10 if keys.shift else 1)
+    length = 1.0 / scale if keys.ctrl else step(scale)
+    offset = np.array(direction) * length * (10 if keys.shift else 1)
     bench.document.settle()
     held = Held(bench.document.drawing, chosen)
     same = tuple((i, of.tobytes()) for i, of in chosen.items())
     bench.document.apply(f"Nudge {points_counted(chosen)}", held.at(held.places + offset), merge=same)
     return True
+
+
+def step(scale: float) -> float:
+    """The step of an arrow key at a scale in pixels per unit: the preferred one, else that of the grid."""
+    return preferred_step() or steps(scale)[1]
 
 
 def preferred_step() -> float:

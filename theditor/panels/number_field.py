@@ -65,6 +65,10 @@ class NumberField(QDoubleSpinBox):
         self.lineEdit().setPlaceholderText("differ" if differing else "")
         self._show_text()
 
+    def take_back(self) -> None:
+        """Put the old text back in place of what is being typed."""
+        self._show_text()
+
     def textFromValue(self, value: float) -> str:
         """Return the text to show: nothing if values differ, exact with the focus, else six digits."""
         if self._differing:
