@@ -36,7 +36,7 @@ def test_hovering_the_slider_or_a_bar_shades_the_reach_on_the_canvas(window, han
     assert shaded.pixel(*place) != plain.pixel(*place)
     leave(window.shape.slider)
     assert picture(window) == plain
-    strip = window.strip
+    strip = window.lambda_strip
     column = strip.column_left(9) + 30
     qtbot.mouseMove(strip.viewport(), QPoint(column, strip.viewport().height() // 2))
     assert picture(window).pixel(*place) != plain.pixel(*place)

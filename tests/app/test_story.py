@@ -293,7 +293,7 @@ def test_the_saved_file_is_readable_and_in_order(window, tmp_path):
 def test_nothing_is_clipped_in_a_small_window(window, qtbot):
     window.resize(1024, 700)
     assert window.width() == 1024
-    for widget in (window.canvas, window.strip, window.shape, window.curve):
+    for widget in (window.canvas, window.lambda_strip, window.shape, window.curve):
         assert widget.width() >= widget.minimumSizeHint().width()
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
@@ -60,14 +60,36 @@ def scrolling_column(panels: Iterable[QWidget], stretching: QWidget) -> QScrollA
     return scroll
 
 
+class Dock(QDockWidget):
+    """Holds a panel, which is made when the dock is first seen and hidden while another tab is before it.
+
+    Qt takes docks behind tabs for visible. Here `isVisible` of a panel says whether it can be seen, so that it may
+    rest while it cannot.
+    """
+
+    def __init__(self, title: str, name: str, make: Callable[[], QWidget], parent: QWidget) -> None:
+        super().__init__(title, parent)
+        self.setObjectName(name)
+        self.setTitleBarWidget(Grip(self))
+        self._make = make
+        self.visibilityChanged.connect(self._show_panel)
+
+    def _show_panel(self, seen: bool) -> None:
+        if seen and self.widget() is None:
+            panel = self._make()
+            policy = panel.sizePolicy()
+            policy.setRetainSizeWhenHidden(True)  # or the docks would change their sizes with every tab
+            panel.setSizePolicy(policy)
+            self.setWidget(panel)
+        if self.widget() is not None:
+            self.widget().setVisible(seen)
+
+
 def add_dock(
-    window: QMainWindow, title: str, name: str, content: QWidget, area: Qt.DockWidgetArea
+    window: QMainWindow, title: str, name: str, make: Callable[[], QWidget], area: Qt.DockWidgetArea
 ) -> QDockWidget:
-    """Put a panel into a dock at an edge of the window, as a further tab if there is a dock already."""
-    dock = QDockWidget(title, window)
-    dock.setObjectName(name)
-    dock.setWidget(content)
-    dock.setTitleBarWidget(Grip(dock))
+    """Make a dock at an edge of the window for a panel, as a further tab if there is a dock already."""
+    dock = Dock(title, name, make, window)
     others = [
         d for d in window.findChildren(QDockWidget) if d is not dock and window.dockWidgetArea(d) == area
     ]

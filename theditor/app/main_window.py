@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from functools import cached_property, partial
 from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPoint, QSettings, QSize, Qt, QTimer
@@ -38,19 +40,23 @@ from theditor.canvas.held import every_point
 from theditor.drawing import Item
 from theditor.model import Document, Selection
 from theditor.model.recovery import Recovery
-from theditor.panels.basis import BasisPanel
-from theditor.panels.continuity import ContinuityPanel
-from theditor.panels.curvature import CurvaturePanel
 from theditor.panels.curve import CurvePanel
 from theditor.panels.curves import CurvesPanel
-from theditor.panels.history import HistoryPanel
 from theditor.panels.lambda_strip import LambdaStrip
-from theditor.panels.points import PointsPanel
 from theditor.panels.segment_info import SegmentPanel
 from theditor.panels.segments import SegmentsPanel
 from theditor.panels.shape import ShapePanel
 from theditor.resources import version
 from theditor.spline import MAX_COORDINATE, Curve, Known, Mode
+
+if TYPE_CHECKING:
+    from theditor.panels.basis import BasisPanel
+    from theditor.panels.continuity import ContinuityPanel
+    from theditor.panels.curvature import CurvaturePanel
+    from theditor.panels.history import HistoryPanel
+    from theditor.panels.points import PointsPanel
+
+Plot = TypeVar("Plot", "BasisPanel", "CurvaturePanel")
 
 COLUMN_WIDTH = 400
 STAYS, LEAST_READ = 8000, 2000
@@ -102,9 +108,7 @@ class MainWindow(QMainWindow):
             SegmentsPanel(*model),
             SegmentPanel(*model),
         )
-        self.strip, self.points = LambdaStrip(*model), PointsPanel(*model)
-        self.basis, self.curvature = BasisPanel(*model), CurvaturePanel(*model)
-        self.continuity = ContinuityPanel(*model)
+        self.lambda_strip = LambdaStrip(*model)
         self.curves.add_requested.connect(self.add_curve)
         column = (self.curves, self.curve, self.shape, self.segments, self.segment)
 
@@ -112,17 +116,17 @@ class MainWindow(QMainWindow):
         self.setCorner(Qt.Corner.BottomRightCorner, right)
         self.setTabPosition(bottom, QTabWidget.TabPosition.North)
         properties = add_dock(
-            self, "Properties", "properties", scrolling_column(column, self.segments), right
+            self, "Properties", "properties", lambda: scrolling_column(column, self.segments), right
         )
         tabs = [
-            add_dock(self, title, name, panel, bottom)
-            for title, name, panel in (
-                ("λ strip", "lambda_strip", self.strip),
-                ("Points", "points", self.points),
-                ("Basis", "basis", self.basis),
-                ("Curvature", "curvature", self.curvature),
-                ("Continuity", "continuity", self.continuity),
-                ("History", "history", HistoryPanel(self.document)),
+            add_dock(self, title, name, partial(getattr, self, name), bottom)
+            for title, name in (
+                ("λ strip", "lambda_strip"),
+                ("Points", "points"),
+                ("Basis", "basis"),
+                ("Curvature", "curvature"),
+                ("Continuity", "continuity"),
+                ("History", "history"),
             )
         ]
         tabs[0].raise_()
@@ -143,14 +147,60 @@ class MainWindow(QMainWindow):
         bar.addPermanentWidget(self._hint)
         self.canvas.pointed.connect(self._show_pointed)
         self.shape.hovered.connect(self.canvas.show_reach)
-        self.strip.hovered.connect(self.canvas.show_reach)
-        for linked in (self.basis, self.curvature, self.continuity):
-            linked.hovered.connect(self.canvas.show_place)
-        self.curvature.comb_changed.connect(self._show_comb)
+        self.lambda_strip.hovered.connect(self.canvas.show_reach)
         self.canvas.tool_changed.connect(lambda name: self.actions_by_name[f"tool_{name}"].setChecked(True))
-        panels = (self.curves, self.curve, self.shape, self.segments, self.strip, self.points)
+        panels = (self.curves, self.curve, self.shape, self.segments, self.lambda_strip)
         for panel in (self.canvas, *panels):
             panel.announce.connect(self.announce)
+
+    # Panels that are made when first seen
+
+    @cached_property
+    def points(self) -> PointsPanel:
+        """The table of control points."""
+        from theditor.panels.points import PointsPanel
+
+        panel = PointsPanel(self.document, self.selection)
+        panel.announce.connect(self.announce)
+        return panel
+
+    @cached_property
+    def basis(self) -> BasisPanel:
+        """The basis functions of a segment."""
+        from theditor.panels.basis import BasisPanel
+
+        return self._linked(BasisPanel(self.document, self.selection))
+
+    @cached_property
+    def curvature(self) -> CurvaturePanel:
+        """The plot of curvature, and how its comb looks on the canvas."""
+        from theditor.panels.curvature import CurvaturePanel
+
+        panel = self._linked(CurvaturePanel(self.document, self.selection))
+        panel.comb_changed.connect(self._show_comb)
+        return panel
+
+    @cached_property
+    def continuity(self) -> ContinuityPanel:
+        """The joints and how smooth they are."""
+        from theditor.panels.continuity import ContinuityPanel
+
+        panel = ContinuityPanel(self.document, self.selection)
+        panel.hovered.connect(self.canvas.show_place)
+        return panel
+
+    @cached_property
+    def history(self) -> HistoryPanel:
+        """The steps of the document."""
+        from theditor.panels.history import HistoryPanel
+
+        return HistoryPanel(self.document)
+
+    def _linked(self, panel: Plot) -> Plot:
+        """Let a plot and the canvas show each other's place."""
+        panel.hovered.connect(self.canvas.show_place)
+        self.canvas.pointed.connect(lambda pointed: panel.show_place(pointed.u))
+        return panel
 
     def _follow(self) -> None:
         document, stack = self.document, self.document.undo_stack
@@ -207,8 +257,6 @@ class MainWindow(QMainWindow):
             self._over.setText(pointed.over)
         self._hint.setText(pointed.hint)
         self._zoom.setText(f"zoom {pointed.scale:.3g} px/unit")
-        self.basis.show_place(pointed.u)
-        self.curvature.show_place(pointed.u)
 
     def _show_comb(self, length: float, density: int) -> None:
         """Show the curvature comb, with teeth of that length and number."""

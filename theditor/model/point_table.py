@@ -47,9 +47,6 @@ class PointTable(QAbstractTableModel):
         self._document, self._selection = document, selection
         item = selection.item
         self.curve: Curve | None = item.curve if item is not None else None
-        document.changed.connect(self._follow)
-        document.started.connect(self._follow)
-        selection.changed.connect(self._follow)
 
     def rowCount(self, parent: ModelIndex = NO_INDEX) -> int:
         """Return the number of control points."""
@@ -164,7 +161,8 @@ class PointTable(QAbstractTableModel):
             return None
         return item.curve if item is not None else None
 
-    def _follow(self, *_: object) -> None:
+    def follow(self) -> None:
+        """Show the current curve as it is now; the owner asks for it whenever the table can be seen."""
         item = self._selection.item
         old, new = self.curve, item.curve if item is not None else None
         if new is old:

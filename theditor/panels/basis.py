@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from theditor.model import Document, Selection, colours_for, unbreakable
@@ -44,7 +44,6 @@ class BasisPanel(QWidget):
         describe(self, "Basis functions", _TIP)
         document.changed.connect(self._follow)
         selection.changed.connect(self._follow)
-        self._follow()
         self._show()
 
     def sizeHint(self) -> QSize:
@@ -57,6 +56,8 @@ class BasisPanel(QWidget):
 
     def show_place(self, u: float | None) -> None:
         """Show the weights at parameter `u` of the current curve, if it lies on the segment that is shown."""
+        if not self.isVisible():
+            return
         if u is None or self._curve is None or not 0 <= u <= self._curve.segment_count:
             self._pointed = None
         else:
@@ -65,7 +66,14 @@ class BasisPanel(QWidget):
         if u is not None and self.shown is not None and 0 <= u - self.shown.segment <= 1:
             self._set_t(u - self.shown.segment)
 
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what changed while nobody saw it."""
+        super().showEvent(event)
+        self._follow()
+
     def _follow(self) -> None:
+        if not self.isVisible():
+            return
         item, segments = self._selection.item, self._selection.segments
         curve = item.curve if item is not None else None
         if curve is not self._curve or segments != self._segments:

@@ -49,7 +49,6 @@ class CurvaturePlot(QWidget):
         document.changed.connect(self._follow)
         selection.changed.connect(self._follow)
         document.undo_stack.indexChanged.connect(self.update)  # marks come when the hand lets go
-        self._follow()
 
     def minimumSizeHint(self) -> QSize:
         """Room for a small plot."""
@@ -81,6 +80,8 @@ class CurvaturePlot(QWidget):
 
     def show_place(self, u: float | None) -> None:
         """Put the marker at parameter `u` of the current curve."""
+        if not self.isVisible():
+            return
         if u is not None and (self._curve is None or not 0 <= u <= self._curve.segment_count):
             u = None
         if u != self.place:
@@ -88,6 +89,8 @@ class CurvaturePlot(QWidget):
             self._show()
 
     def _follow(self) -> None:
+        if not self.isVisible():
+            return
         item, segments = self._selection.item, self._selection.segments
         curve = item.curve if item is not None else None
         if curve is not self._curve or segments != self._segments:
@@ -107,7 +110,7 @@ class CurvaturePlot(QWidget):
         curve, u = self._curve, self.place
         if curve is None:
             return [EMPTY]
-        if u is None or not self.isVisible():
+        if u is None:
             return [HINT]
         shown = self.shown
         if shown is None:
@@ -169,9 +172,9 @@ class CurvaturePlot(QWidget):
     # Painting
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Tell what could wait while nobody saw it."""
+        """Catch up with what changed while nobody saw it."""
         super().showEvent(event)
-        self.changed.emit()
+        self._follow()
 
     def changeEvent(self, event: QEvent) -> None:
         """Repaint in the new colours or font."""

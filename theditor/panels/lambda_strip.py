@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
-from PySide6.QtGui import QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtGui import QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QFrame, QToolTip, QWidget
 
 from theditor.drawing import Item
@@ -54,7 +54,6 @@ class LambdaStrip(QAbstractScrollArea):
         self.setAccessibleName("λ strip: shape parameter of every control point")
         document.changed.connect(self._follow)
         selection.changed.connect(self._follow)
-        self._follow()
 
     def sizeHint(self) -> QSize:
         """Room for a dozen columns."""
@@ -262,7 +261,14 @@ class LambdaStrip(QAbstractScrollArea):
 
     # Following
 
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what changed while nobody saw it."""
+        super().showEvent(event)
+        self._follow()
+
     def _follow(self) -> None:
+        if not self.isVisible():
+            return
         item, points = self._selection.item, self._selection.points
         moved = points != self._points
         if item is self._item and not moved:

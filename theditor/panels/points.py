@@ -2,17 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import (
     QEvent,
     QItemSelection,
     QItemSelectionModel,
+    QItemSelectionRange,
     QSize,
     Qt,
     Signal,
 )
-from PySide6.QtGui import QColor, QGuiApplication, QIcon, QKeyEvent, QKeySequence, QPainter, QPalette, QPixmap
+from PySide6.QtGui import (
+    QColor,
+    QGuiApplication,
+    QIcon,
+    QKeyEvent,
+    QKeySequence,
+    QPainter,
+    QPalette,
+    QPixmap,
+    QShowEvent,
+)
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFrame,
@@ -108,10 +121,9 @@ class PointsView(QTableView):
             block = (int(rows.min()), int(rows.max())), (min(columns), max(columns))
             self._table.paste(*block, QGuiApplication.clipboard().text())
 
-    def selected_rows(self) -> frozenset[int]:
-        """Rows with a selected cell."""
-        ranges = self.selectionModel().selection().toList()
-        return frozenset(row for part in ranges for row in range(part.top(), part.bottom() + 1))
+    def selected_rows(self) -> NDArray[np.intp]:
+        """Rows with a selected cell, ascending."""
+        return _rows_of(self.selectionModel().selection().toList())
 
     def _cells(self) -> list[tuple[int, NDArray[np.intp]]]:
         """Return the selected cells as columns with their rows, ascending."""
@@ -120,6 +132,12 @@ class PointsView(QTableView):
             for column in range(part.left(), part.right() + 1):
                 rows.setdefault(column, []).append(np.arange(part.top(), part.bottom() + 1))
         return [(column, np.unique(np.concatenate(rows[column]))) for column in sorted(rows)]
+
+
+def _rows_of(parts: Iterable[QItemSelectionRange]) -> NDArray[np.intp]:
+    """Return the rows of some ranges of cells, ascending, each once."""
+    rows = [np.arange(part.top(), part.bottom() + 1) for part in parts]
+    return np.unique(np.concatenate(rows)) if rows else np.empty(0, dtype=np.intp)
 
 
 def _is_ours(event: QKeyEvent) -> bool:
@@ -157,14 +175,27 @@ class PointsPanel(QWidget):
         layout.addWidget(self.table)
 
         self.model.announce.connect(self.announce)
-        self.model.modelReset.connect(self._show_selection)
         self.table.selectionModel().selectionChanged.connect(self._select)
-        selection.changed.connect(self._show_selection)
-        self._show_selection()
+        document.changed.connect(self._follow)
+        selection.changed.connect(self._follow)
 
     def sizeHint(self) -> QSize:
         """Room for a few rows."""
         return QSize(640, 160)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what changed while nobody saw it."""
+        super().showEvent(event)
+        self._follow()
+
+    def _follow(self, *_: object) -> None:
+        if self.isVisible():
+            self._following = (
+                True  # a reset of the model takes its selection away: that is no wish of the person's
+            )
+            self.model.follow()
+            self._following = False
+            self._show_selection()
 
     def _select(self) -> None:
         """Select on the curve the points whose cells are selected in the table."""
@@ -173,18 +204,18 @@ class PointsPanel(QWidget):
 
     def _show_selection(self) -> None:
         """Select in the table the rows of the points selected on the curve."""
-        points = self._selection.points
-        if self.table.selected_rows() == points:
+        points = self._selection.chosen.get(self._selection.curve, np.empty(0, dtype=np.intp))
+        if np.array_equal(self.table.selected_rows(), points):
             return
         model, last = self.table.selectionModel(), self.model.columnCount() - 1
         rows = QItemSelection()
-        for start, end in runs(sorted(points)):
+        for start, end in runs(points):
             rows.select(self.model.index(start, 0), self.model.index(end, last))
         flags = QItemSelectionModel.SelectionFlag
         self._following = True
         model.select(rows, flags.ClearAndSelect)
-        if points:
-            first = self.model.index(min(points), max(self.table.currentIndex().column(), 0))
+        if points.size:
+            first = self.model.index(int(points[0]), max(self.table.currentIndex().column(), 0))
             model.setCurrentIndex(first, flags.NoUpdate)
             self.table.scrollTo(first)
         self._following = False

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
+from numpy.typing import ArrayLike
 from PySide6.QtCore import QAbstractListModel, QObject, Qt
 
 from theditor.model import words
@@ -129,9 +128,9 @@ class SegmentModel(QAbstractListModel):
         return words.listed([words.indexed("λ", i) for i in indices]) if indices else "no λ"
 
 
-def runs(rows: Iterable[int]) -> list[tuple[int, int]]:
+def runs(rows: ArrayLike) -> list[tuple[int, int]]:
     """First and last of every run of consecutive numbers among ascending `rows`."""
-    array = np.fromiter(rows, dtype=np.intp)
+    array = np.asarray(rows, dtype=np.intp)
     if not array.size:
         return []
     breaks = np.flatnonzero(np.diff(array) != 1)
