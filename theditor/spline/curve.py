@@ -170,15 +170,22 @@ class Curve:
     @cached_property
     def mode_codes(self) -> NDArray[np.int8]:
         """The mode of each segment as a number: 0 trigonometric, 1 hyperbolic, 2 interpolating, 3 blend."""
-        start, end = self.joint_form.lambda_start, self.joint_form.lambda_end
+        codes = self.codes_of(np.arange(self.segment_count))
+        codes.flags.writeable = False
+        return codes
+
+    def codes_of(self, segments: NDArray[np.intp]) -> NDArray[np.int8]:
+        """Return the modes of some segments as numbers, like `mode_codes`, without looking at the others."""
+        first = segments + self.first_segment
+        count = len(self.lambdas)
+        start, end = self.lambdas[first % count], self.lambdas[(first + 1) % count]
         if not self.active_lambdas[self.first_segment] and self.segment_count > 1:
             # A clamped end has no say; a lone straight segment goes by the λ it keeps.
-            start, end = start.copy(), end.copy()
-            start[0], end[-1] = end[0], start[-1]
-        codes = np.full(self.segment_count, 3, dtype=np.int8)
+            begins, ends = segments == 0, segments == self.segment_count - 1
+            start, end = np.where(begins, end, start), np.where(ends, start, end)
+        codes = np.full(len(segments), 3, dtype=np.int8)
         for code, lam in enumerate((0.0, 1.0, INTERPOLATING[self.degree])):
             codes[(start == lam) & (end == lam)] = code
-        codes.flags.writeable = False
         return codes
 
     @cached_property

@@ -7,7 +7,7 @@ the matrix of the generators at the wanted t give all the block's points in one 
 straight into place. Where a curve keeps its features, writing the result is then the limit.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -32,6 +32,27 @@ class Samples:
     intervals: NDArray[np.intp]  # (k,) equal steps of t in each
     starts: NDArray[np.intp]  # (k + 1,)
     points: Floats  # (N, d), each segment with both its ends
+
+    def pieces(self) -> tuple[Floats, NDArray[np.intp], Floats]:
+        """Return the straight pieces between neighbouring points of each segment.
+
+        Returns
+        -------
+        lines : ndarray, shape (n, 2·d)
+            Start and end of each piece.
+        run : ndarray of int, shape (n,)
+            Which of `segments` it belongs to.
+        t : ndarray, shape (n, 2)
+            Parameters of its start and end.
+        """
+        begins_piece = np.ones(len(self.points), dtype=np.bool_)
+        begins_piece[self.starts[1:] - 1] = False
+        first = np.flatnonzero(begins_piece)
+        run = np.repeat(np.arange(len(self.segments)), self.intervals)
+        step = 1.0 / self.intervals[run]
+        t = (first - self.starts[run]) * step
+        lines = np.hstack([self.points[first], self.points[first + 1]])
+        return lines, run, np.stack([t, t + step], axis=1)
 
 
 def sample(curve: "Curve", per_segment: int, out: Floats | None = None) -> Floats:
@@ -194,9 +215,9 @@ def intervals_for(
         If there is no such segment, `tolerance` is not a positive number or `most` not a positive integer.
     """
     if segments is None:
-        return _intervals(curve.turning, tolerance, most)
+        return intervals_within(curve.turning, tolerance, most)
     chosen = clean_indices(segments, curve.segment_count, "segment")
-    return _intervals(enclosures.turning(joints.take_segments(curve, chosen), curve.degree), tolerance, most)
+    return intervals_within(enclosures.turning(joints.take_segments(curve, chosen), curve.degree), tolerance, most)
 
 
 def sample_adaptively(
@@ -236,22 +257,27 @@ def sample_adaptively(
     if boxes is not None:
         seen = (boxes[1] >= _corner(low, -np.inf, curve)) & (boxes[0] <= _corner(high, np.inf, curve))
         shown = np.flatnonzero(np.logical_and.reduce(seen, axis=0))
-    intervals = _intervals(turning[shown], tolerance, 512)
+    seen_parts = parts if len(shown) == len(chosen) else parts.take(shown)
+    samples = sample_parts(seen_parts, curve.degree, intervals_within(turning[shown], tolerance, 512))
+    return replace(samples, segments=chosen[shown])
+
+
+def sample_parts(parts: joints.Segments, degree: int, intervals: NDArray[np.intp]) -> Samples:
+    """Return points along k segments given in joint form, numbered from 0, at so many steps of t in each, (k,)."""
     starts = np.concatenate(([0], np.cumsum(intervals + 1)))
-    points = np.empty((curve.dimension, starts[-1]))
+    points = np.empty((len(parts.start), starts[-1]))
     for count in np.flatnonzero(np.bincount(intervals)).tolist():
-        matrix = _generators(count, curve.degree)
+        matrix = _generators(count, degree)
         group = np.flatnonzero(intervals == count)
-        alike = parts if len(group) == len(chosen) else parts.take(shown[group])
-        if len(group) == len(shown):
-            _fill(alike, matrix, points.reshape(len(points), -1, count + 1))
+        if len(group) == len(intervals):
+            _fill(parts, matrix, points.reshape(len(points), -1, count + 1))
             break
         part = np.empty((len(points), len(group), count + 1))
-        _fill(alike, matrix, part)
+        _fill(parts.take(group), matrix, part)
         places = starts[group, None] + np.arange(count + 1)
         for axis, values in enumerate(part):
             points[axis][places] = values
-    return Samples(chosen[shown], intervals, starts, points.T)
+    return Samples(np.arange(len(intervals)), intervals, starts, points.T)
 
 
 @lru_cache(maxsize=64)
@@ -297,7 +323,8 @@ def _multiply(rows: Floats, matrix: Floats, out: Floats) -> None:
         np.matmul(values, matrix, out=out[axis])
 
 
-def _intervals(bound: Floats, tolerance: float, most: int) -> NDArray[np.intp]:
+def intervals_within(bound: Floats, tolerance: float, most: int = 512) -> NDArray[np.intp]:
+    """Return into how many steps, (k,), to cut segments with these bounds of |C''|; see `intervals_for`."""
     if not 0 < tolerance < np.inf:
         raise ValueError(f"tolerance must be a positive number, not {tolerance!r}")
     _check_positive(most, "most")

@@ -1,0 +1,303 @@
+"""The curves of a drawing as chords, long where they may be and short where they must: level of detail.
+
+Over the segments of each curve stands a binary tree. A leaf is a segment; a node above holds the run of
+segments of its two children, the box around them, and how far they stray from the one chord over the whole
+run. Descending from the roots, what lies outside the window is left out unseen, and a run that its chord
+represents within the tolerance is drawn as that chord; only segments larger than the tolerance are sampled.
+So a picture costs as many lines as the eye can tell apart, not as many as the drawing has segments.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from theditor.spline import Curve, changed_segments, enclosures, joints
+from theditor.spline.sampling import intervals_within, sample_parts
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.intp]
+Flags = NDArray[np.bool_]
+
+STEPS = 8
+"""Into so many steps each segment is cut to measure how far it strays from its chords."""
+CUTS = (1, 2)
+"""Numbers of chords in place of one segment for which that is measured."""
+MIXED = -1
+"""The mode of a run of segments that have different ones."""
+
+
+class Level(NamedTuple):
+    """All nodes of one height, in the order of the curves and of their segments."""
+
+    low: Floats  # (2, n) the box
+    high: Floats  # (2, n)
+    strays: Floats  # (n,) greatest distance from the chord
+    code: NDArray[np.int8]  # (n,) mode as in `Curve.mode_codes`, or MIXED
+    first: Ints  # (n,) the leaves of the run
+    last: Ints  # (n,)
+    left: Ints  # (n,) the children in the level below; the same one twice where there is one alone
+    right: Ints  # (n,)
+
+
+@dataclass(frozen=True)
+class Chords:
+    """Straight lines in place of runs of segments, in the order of the curves and along them."""
+
+    lines: Floats
+    """(n, 4): x and y of the start, x and y of the end."""
+    curves: Ints
+    """(n,): the curve's place among those of the tree."""
+    codes: NDArray[np.int8]
+    """(n,): the mode as in `Curve.mode_codes`; `MIXED` where a line runs over several."""
+    segments: Ints
+    """(n,): the segment of the curve, of a longer run the first one."""
+    parameters: Floats
+    """(n, 2): t at the start and the end of each line, of a line within one segment."""
+
+
+class ChordTree:
+    """The trees over several plane curves, side by side."""
+
+    def __init__(self, curves: Sequence[Curve]) -> None:
+        self._curves = list(curves)
+        forms = [curve.joint_form for curve in curves] or [NOTHING]
+        self._parts = joints.Segments(*(np.concatenate(part, axis=-1) for part in zip(*forms, strict=True)))
+        counts = np.array([curve.segment_count for curve in curves], dtype=np.intp)
+        self._begins = np.concatenate(([0], np.cumsum(counts)))
+        self._cubic = np.repeat(np.array([curve.degree == 3 for curve in curves], dtype=np.bool_), counts)
+        self._owner = np.repeat(np.arange(len(curves)), counts)
+        total = int(self._begins[-1])
+        self._turning = np.empty(total)
+        self._strays = np.empty((total, len(CUTS)))
+        self._ends = np.empty((total, 4))
+        every = np.arange(total)
+        codes = np.concatenate([np.empty(0, dtype=np.int8), *(curve.mode_codes for curve in curves)])
+        blank = np.empty((2, total))
+        self._levels = [Level(blank, blank.copy(), np.empty(total), codes, every, every, every, every)]
+        self._parents: list[Ints] = []
+        self._measure(every)
+        while len(self._levels[-1].first) > len(curves):
+            counts = (counts + 1) // 2
+            self._grow(counts)
+
+    def follow(self, curves: Sequence[Curve]) -> bool:
+        """Become the tree over other curves by changing what differs; returns False where too much does."""
+        if len(curves) != len(self._curves):
+            return False
+        rows, patches = [], []
+        for place, (old, new) in enumerate(zip(self._curves, curves, strict=True)):
+            if old is not new:
+                segments = changed_segments(old, new)
+                if segments is None:
+                    return False
+                rows.append(segments + self._begins[place])
+                patches.append((new, segments))
+        changed = np.concatenate([np.empty(0, dtype=np.intp), *rows])
+        if 8 * len(changed) > len(self._owner):
+            return False
+        for where, (curve, segments) in zip(rows, patches, strict=True):
+            for mine, new_part in zip(self._parts, joints.take_segments(curve, segments), strict=True):
+                mine[..., where] = new_part
+            self._levels[0].code[where] = curve.codes_of(segments)
+        self._curves = list(curves)
+        self._measure(changed)
+        nodes = changed
+        for below, parents in enumerate(self._parents):
+            nodes = np.unique(parents[nodes])
+            self._combine(below, nodes)
+        return True
+
+    def _measure(self, rows: Ints) -> None:
+        """Compute boxes, ends and bounds of some leaves."""
+        leaves = self._levels[0]
+        for degree in (2, 3):
+            own = rows[self._cubic[rows] == (degree == 3)]
+            if len(own):
+                parts = self._parts if len(own) == len(self._owner) else self._parts.take(own)
+                leaves.low[:, own], leaves.high[:, own] = enclosures.boxes(parts, degree)
+                turning = enclosures.turning(parts, degree)
+                samples = sample_parts(parts, degree, np.full(len(own), STEPS))
+                points = samples.points.reshape(len(own), STEPS + 1, 2)
+                self._ends[own] = np.hstack([points[:, 0], points[:, -1]])
+                for column, steps in enumerate(CUTS):
+                    self._strays[own, column] = _stray(points, steps) + turning / (8 * STEPS**2)
+                self._turning[own] = turning
+        leaves.strays[rows] = self._strays[rows, 0]
+
+    def _grow(self, counts: Ints) -> None:
+        """Add the level over the last one, in which the curves have that many nodes each."""
+        below = self._levels[-1]
+        owners = self._owner[below.first]
+        begins_below = np.searchsorted(owners, np.arange(len(counts)))
+        own = np.repeat(np.arange(len(counts)), counts)
+        place = np.arange(len(own)) - (np.cumsum(counts) - counts)[own]
+        left = begins_below[own] + 2 * place
+        end = np.append(begins_below[1:], len(owners))[own]
+        right = np.minimum(left + 1, end - 1)
+        parents = np.empty(len(owners), dtype=np.intp)
+        parents[left] = parents[right] = np.arange(len(own))
+        self._parents.append(parents)
+        blank = np.empty((2, len(own)))
+        self._levels.append(
+            Level(
+                blank,
+                blank.copy(),
+                np.empty(len(own)),
+                np.empty(len(own), dtype=np.int8),
+                below.first[left],
+                below.last[right],
+                left,
+                right,
+            )
+        )
+        self._combine(len(self._levels) - 2, np.arange(len(own)))
+
+    def _combine(self, below: int, nodes: Ints) -> None:
+        """Compute some nodes of a level from their children in the level below.
+
+        A child's chord is nowhere farther from the chord over both than where the two children meet, so what
+        they stray from their own adds up with that.
+        """
+        children, level = self._levels[below], self._levels[below + 1]
+        left, right = level.left[nodes], level.right[nodes]
+        level.low[:, nodes] = np.minimum(children.low[:, left], children.low[:, right])
+        level.high[:, nodes] = np.maximum(children.high[:, left], children.high[:, right])
+        start, middle = self._ends[level.first[nodes], :2], self._ends[children.last[left], 2:]
+        end = self._ends[level.last[nodes], 2:]
+        apart = np.where(left == right, 0.0, _distances(middle, start, end))
+        level.strays[nodes] = np.maximum(children.strays[left], children.strays[right]) + apart
+        one, other = children.code[left], children.code[right]
+        level.code[nodes] = np.where(one == other, one, MIXED)
+
+    def chords(
+        self,
+        low: Floats,
+        high: Floats,
+        tolerance: float,
+        *,
+        by_mode: int = -1,
+        without: Mapping[int, Ints] | None = None,
+        whole: bool = False,
+    ) -> Chords:
+        """The lines to draw for what a window shows.
+
+        Parameters
+        ----------
+        low, high : (2,)
+            Corners of the window.
+        tolerance
+            Largest distance of a line from the curve.
+        by_mode
+            The curve, if any, no line of which may run over several modes.
+        without
+            Segments to leave out, by the curve.
+        whole
+            Whether no line may run over several segments.
+        """
+        barred = self._barred(without or {})
+        first, last, codes = [], [], []
+        nodes = np.arange(len(self._levels[-1].first))
+        for height in range(len(self._levels) - 1, -1, -1):
+            level = self._levels[height]
+            seen = level.low[0][nodes] <= high[0]
+            seen &= level.high[0][nodes] >= low[0]
+            seen &= level.low[1][nodes] <= high[1]
+            seen &= level.high[1][nodes] >= low[1]
+            if barred and not height:
+                seen &= ~barred[0][nodes]
+            nodes = nodes[seen]
+            if not (whole and height):
+                fits = level.strays[nodes] <= tolerance
+                if by_mode >= 0 and height:
+                    fits &= (level.code[nodes] != MIXED) | (self._owner[level.first[nodes]] != by_mode)
+                if barred and height:
+                    fits &= ~barred[height][nodes]
+                found = nodes[fits]
+                first.append(level.first[found])
+                last.append(level.last[found])
+                codes.append(level.code[found])
+                nodes = nodes[~fits]
+            if height:
+                left, right = level.left[nodes], level.right[nodes]
+                nodes = np.concatenate((left, right[right != left]))
+        return self._lines(np.concatenate(first), np.concatenate(last), np.concatenate(codes), nodes, tolerance)
+
+    def _barred(self, without: Mapping[int, Ints]) -> list[Flags]:
+        """Which nodes of each level hold segments to be left out; nothing if there are none."""
+        nodes = np.concatenate(
+            [np.empty(0, dtype=np.intp), *(rows + self._begins[place] for place, rows in without.items())]
+        )
+        if not len(nodes):
+            return []
+        flags = []
+        for level, parents in zip(self._levels, [*self._parents, None], strict=True):
+            flags.append(np.zeros(len(level.first), dtype=np.bool_))
+            flags[-1][nodes] = True
+            nodes = nodes if parents is None else np.unique(parents[nodes])
+        return flags
+
+    def _lines(
+        self, first: Ints, last: Ints, codes: NDArray[np.int8], leaves: Ints, tolerance: float
+    ) -> Chords:
+        """Put together the chords over runs of leaves, and the finer lines of single ones, in order."""
+        lines = [np.hstack([self._ends[first, :2], self._ends[last, 2:]])]
+        rows, steps = [first], [np.tile((0.0, 1.0), (len(first), 1))]
+        for degree in (2, 3):
+            own = leaves[self._cubic[leaves] == (degree == 3)]
+            if len(own):
+                samples = sample_parts(self._parts.take(own), degree, self._steps(own, tolerance))
+                pieces, run, t = samples.pieces()
+                lines.append(pieces)
+                rows.append(own[run])
+                steps.append(t)
+        at = np.concatenate(rows)
+        order = np.argsort(at, kind="stable")
+        at = at[order]
+        finer = self._levels[0].code[np.concatenate(rows[1:])] if len(rows) > 1 else codes[:0]
+        return Chords(
+            np.vstack(lines)[order],
+            self._owner[at],
+            np.concatenate([codes, finer])[order],
+            at - self._begins[self._owner[at]],
+            np.vstack(steps)[order],
+        )
+
+
+    def _steps(self, leaves: Ints, tolerance: float) -> Ints:
+        """Into how many steps of t to cut some leaves: as few as were measured to do, else as the bound says."""
+        steps = intervals_within(self._turning[leaves], tolerance)
+        for column, few in reversed(tuple(enumerate(CUTS))):
+            steps[self._strays[leaves, column] <= tolerance] = few
+        return steps
+
+
+NOTHING = joints.Segments(*(np.empty((2, 0)),) * 4, *(np.empty(0),) * 2)
+
+
+def _stray(points: Floats, steps: int) -> Floats:
+    """How far points along segments, (k, STEPS + 1, 2), stray from the chords over `steps` equal steps."""
+    stride = STEPS // steps
+    corners = points[:, ::stride].transpose(1, 0, 2)
+    farthest = np.zeros(len(points))
+    for j in range(1, STEPS):
+        if j % stride:
+            away = _distances(points[:, j], corners[j // stride], corners[j // stride + 1])
+            np.maximum(farthest, away, out=farthest)
+    return farthest
+
+
+def _distances(points: Floats, start: Floats, end: Floats) -> Floats:
+    """The distance of each point (n, 2) from its own straight line between two ends."""
+    x, y = (points - start).T
+    dx, dy = (end - start).T
+    squares = dx * dx + dy * dy
+    with np.errstate(divide="ignore", invalid="ignore"):
+        t = (x * dx + y * dy) / squares
+    t = np.where(squares > 0, t, 0.0).clip(0.0, 1.0)
+    distances: Floats = np.hypot(x - t * dx, y - t * dy)
+    return distances
