@@ -43,6 +43,11 @@ class Level(NamedTuple):
     left: Ints  # (n,) the children in the level below; the same one twice where there is one alone
     right: Ints  # (n,)
 
+    def below(self, nodes: Ints) -> Ints:
+        """The children of some nodes."""
+        left, right = self.left[nodes], self.right[nodes]
+        return np.concatenate((left, right[right != left]))
+
 
 @dataclass(frozen=True)
 class Chords:
@@ -84,6 +89,11 @@ class ChordTree:
         while len(self._levels[-1].first) > len(curves):
             counts = (counts + 1) // 2
             self._grow(counts)
+
+    @property
+    def size(self) -> int:
+        """How many segments there are."""
+        return len(self._owner)
 
     def follow(self, curves: Sequence[Curve]) -> bool:
         """Become the tree over other curves by changing what differs; returns False where too much does."""
@@ -204,13 +214,9 @@ class ChordTree:
         nodes = np.arange(len(self._levels[-1].first))
         for height in range(len(self._levels) - 1, -1, -1):
             level = self._levels[height]
-            seen = level.low[0][nodes] <= high[0]
-            seen &= level.high[0][nodes] >= low[0]
-            seen &= level.low[1][nodes] <= high[1]
-            seen &= level.high[1][nodes] >= low[1]
+            nodes = nodes[_meet(level, nodes, low, high)]
             if barred and not height:
-                seen &= ~barred[0][nodes]
-            nodes = nodes[seen]
+                nodes = nodes[~barred[0][nodes]]
             if not (whole and height):
                 fits = level.strays[nodes] <= tolerance
                 if by_mode >= 0 and height:
@@ -222,10 +228,19 @@ class ChordTree:
                 last.append(level.last[found])
                 codes.append(level.code[found])
                 nodes = nodes[~fits]
-            if height:
-                left, right = level.left[nodes], level.right[nodes]
-                nodes = np.concatenate((left, right[right != left]))
-        return self._lines(np.concatenate(first), np.concatenate(last), np.concatenate(codes), nodes, tolerance)
+            nodes = level.below(nodes) if height else nodes
+        return self._lines(
+            np.concatenate(first), np.concatenate(last), np.concatenate(codes), nodes, tolerance
+        )
+
+    def seen(self, place: int, low: Floats, high: Floats) -> Ints:
+        """The segments of one curve whose boxes meet a window, ascending."""
+        nodes = np.array([place])
+        for level in reversed(self._levels):
+            nodes = nodes[_meet(level, nodes, low, high)]
+            nodes = level.below(nodes) if level is not self._levels[0] else nodes
+        segments: Ints = np.sort(nodes) - self._begins[place]
+        return segments
 
     def _barred(self, without: Mapping[int, Ints]) -> list[Flags]:
         """Which nodes of each level hold segments to be left out; nothing if there are none."""
@@ -277,6 +292,15 @@ class ChordTree:
 
 
 NOTHING = joints.Segments(*(np.empty((2, 0)),) * 4, *(np.empty(0),) * 2)
+
+
+def _meet(level: Level, nodes: Ints, low: Floats, high: Floats) -> Flags:
+    """Which boxes meet a window."""
+    meet: Flags = level.low[0][nodes] <= high[0]
+    meet &= level.high[0][nodes] >= low[0]
+    meet &= level.low[1][nodes] <= high[1]
+    meet &= level.high[1][nodes] >= low[1]
+    return meet
 
 
 def _stray(points: Floats, steps: int) -> Floats:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +13,16 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 from theditor.canvas.lines import clipped, draw_lines
 from theditor.canvas.viewport import Viewport
 from theditor.model import Colours
-from theditor.spline import Curve, segment_bounds
+from theditor.spline import Curve
 from theditor.spline.curvature import curvature, osculating_circle
+from theditor.spline.pieces import stretch
 from theditor.spline.vertices import curvature_extremes, inflections
 
 Floats = NDArray[np.float64]
+Ints = NDArray[np.intp]
 
-MOST_TEETH = 20_000
+MOST_TEETH = 6000
+"""More teeth than this in view cannot be told apart."""
 LONGEST = 2000.0
 """A tooth ends at this many pixels: at a cusp the curvature is infinite."""
 MOST_MARKED = 5000
@@ -29,28 +33,30 @@ TYPICAL = 0.03
 """Length of a typical tooth at slider value 1, as a share of the curve's size."""
 
 
+def density_for(density: int, visible: int) -> int:
+    """How many teeth stand on each segment if so many are in view; 0 for no comb, which could not be made out."""
+    return max(1, min(density, MOST_TEETH // max(1, visible))) if visible <= MOST_TEETH else 0
+
+
 def paint_comb(
     painter: QPainter,
     curve: Curve,
+    segments: Ints,
     reference: Curve,
     length: float,
     density: int,
     plane: Viewport,
     colours: Colours,
 ) -> None:
-    """Paint the curvature comb, segment by segment, so that jumps at joints show.
+    """Paint the curvature comb on some segments, each by itself, so that jumps at joints show.
 
     The teeth stand on the outer side of the bend, as long as the curvature; `reference` sets the scale (the
     curve before a drag, so that the comb does not breathe while the curve moves).
     """
-    low, high = plane.window()
-    box_low, box_high = segment_bounds(curve)
-    visible = np.flatnonzero(((box_low <= high) & (box_high >= low)).all(axis=1))
-    density = FINER * max(1, min(density, MOST_TEETH // max(1, len(visible))))
-    if not len(visible) or len(visible) > MOST_TEETH:
+    if not density or not len(segments):
         return
-    steps = np.arange(density + 1) / density
-    inner, last = visible[:, None] + steps[:-1], visible[:, None] + 1.0
+    steps = np.arange(FINER * density + 1) / (FINER * density)
+    inner, last = segments[:, None] + steps[:-1], segments[:, None] + 1.0
     feet = np.concatenate([curve(inner), curve(last)], axis=1)
     bend = np.concatenate([curvature(curve, inner), curvature(curve, last, side="left")], axis=1)
     velocity = np.concatenate([curve(inner, 1), curve(last, 1, side="left")], axis=1)
@@ -85,29 +91,63 @@ def _unit(curve: Curve) -> float:
     return TYPICAL * size / float(np.median(bends)) if len(bends) else 0.0
 
 
-def paint_marks(painter: QPainter, curve: Curve, plane: Viewport, colours: Colours) -> None:
-    """Mark inflections by small rings and extremes of |κ| by triangles that point outward (least: hollow)."""
+class Marks(NamedTuple):
+    """Parameters of what is marked on a curve, ascending."""
+
+    inflections: Floats
+    extremes: Floats
+    maximum: NDArray[np.bool_]
+    """Which extremes of |κ| are maxima."""
+
+    def within(self, segments: Ints) -> Marks:
+        """Those in some segments or at their joints."""
+        turns, peaks = _touched(self.inflections, segments), _touched(self.extremes, segments)
+        return Marks(self.inflections[turns], self.extremes[peaks], self.maximum[peaks])
+
+    def beyond(self, segments: Ints) -> Marks:
+        """The others."""
+        turns, peaks = _touched(self.inflections, segments), _touched(self.extremes, segments)
+        return Marks(self.inflections[~turns], self.extremes[~peaks], self.maximum[~peaks])
+
+
+def _touched(u: Floats, segments: Ints) -> NDArray[np.bool_]:
+    """Which parameters lie in or at the ends of some segments."""
+    return np.isin(np.floor(u), segments) | np.isin(np.ceil(u) - 1, segments)
+
+
+@lru_cache(maxsize=2)
+def marks_of(curve: Curve) -> Marks:
+    """All inflections and extremes; none on a longer curve than `MOST_MARKED`."""
     if curve.segment_count > MOST_MARKED:
-        return
-    turns, peaks, maxima = _special(curve)
+        return Marks(np.empty(0), np.empty(0), np.empty(0, dtype=np.bool_))
+    extremes = curvature_extremes(curve)
+    return Marks(inflections(curve).u, extremes.u, extremes.maximum)
+
+
+def marks_near(curve: Curve, segments: Ints) -> Marks:
+    """Those in and around some segments, found by looking at these alone while they are one run."""
+    first, last = int(segments[0]) - 1, int(segments[-1]) + 1
+    if last - first > len(segments) + 1 or curve.segment_count > MOST_MARKED or first < 0:
+        return marks_of(curve).within(segments)
+    last = min(last, curve.segment_count - 1)
+    near = marks_of(stretch(curve, first, last))
+    return near._replace(inflections=near.inflections + first, extremes=near.extremes + first).within(segments)
+
+
+def paint_marks(painter: QPainter, curve: Curve, marks: Marks, plane: Viewport, colours: Colours) -> None:
+    """Mark inflections by small rings and extremes of |κ| by triangles that point outward (least: hollow)."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(QPen(QColor(colours.comb), 1.5))
     painter.setBrush(QColor(colours.canvas))
-    for place in plane.to_pixels(curve(turns)):
+    for place in plane.to_pixels(curve(marks.inflections)):
         if _inside(place, plane):
             painter.drawEllipse(QPointF(*place), 3.2, 3.2)
-    for place, maximum in zip(plane.to_pixels(curve(peaks)), maxima.tolist(), strict=True):
+    for place, maximum in zip(plane.to_pixels(curve(marks.extremes)), marks.maximum.tolist(), strict=True):
         if _inside(place, plane):
             painter.setBrush(QColor(colours.comb if maximum else colours.canvas))
             triangle = place + np.array([[0.0, -4.5], [4.0, 3.0], [-4.0, 3.0]])
             painter.drawPolygon(QPolygonF([QPointF(*corner) for corner in triangle]))
     painter.setBrush(Qt.BrushStyle.NoBrush)
-
-
-@lru_cache(maxsize=2)
-def _special(curve: Curve) -> tuple[Floats, Floats, NDArray[np.bool_]]:
-    extremes = curvature_extremes(curve)
-    return inflections(curve).u, extremes.u, extremes.maximum
 
 
 def paint_circle(painter: QPainter, curve: Curve, u: float, plane: Viewport, colours: Colours) -> None:

@@ -2,99 +2,157 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Mapping
+from operator import is_
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from theditor.canvas.lines import draw_lines
+from theditor.canvas.chords import ChordTree
+from theditor.canvas.lines import clipped, draw_lines
 from theditor.canvas.projection import projected
-from theditor.canvas.trace import Trace, strokes
-from theditor.canvas.viewport import Viewport
+from theditor.canvas.trace import TOLERANCE, Stroke, strokes
+from theditor.canvas.viewport import Floats, Viewport
 from theditor.drawing import Drawing, Item
 from theditor.model.colours import Colours
 from theditor.spline import Curve, Mode
 
+Ints = NDArray[np.intp]
+
 MODES = (Mode.TRIGONOMETRIC, Mode.HYPERBOLIC, Mode.INTERPOLATING, Mode.BLEND)
 """Modes by their code in `Curve.mode_codes`."""
+CROWDED = 10_000
+"""In a drawing of more segments than this, lines may run over several of them more freely."""
+CROWDED_TOLERANCE = 0.25
+"""So many pixels they may then be away from the curve."""
 
 
 class CurvesPainter:
-    """Draws the visible curves of a drawing and remembers their traces from one frame to the next."""
+    """Draws the visible curves of a drawing, and finds what of them lies where."""
 
     def __init__(self) -> None:
-        self._traces: dict[int, tuple[Curve, Curve, Trace]] = {}
-        self._ghosts: dict[int, tuple[Curve, Trace]] = {}
+        self._places: dict[int, int] = {}
+        self._sources: list[Curve] = []
+        self._curves: list[Curve] = []
+        self._tree = ChordTree([])
 
-    def update(self, drawing: Drawing, viewport: Viewport) -> None:
-        """Bring the traces of all visible curves up to date."""
-        for index in [i for i in self._traces if i >= len(drawing) or not drawing[i].visible]:
-            del self._traces[index]
-        for index, item in enumerate(drawing):
-            if item.visible:
-                curve, plane, trace = self._traces.get(index) or (None, None, Trace())
-                if plane is None or curve is not item.curve:
-                    plane = projected(item.curve)
-                self._traces[index] = item.curve, plane, trace
-                trace.update(plane, viewport)
+    def update(self, drawing: Drawing) -> None:
+        """Follow the drawing; costs what has changed since the last time."""
+        visible = [i for i, item in enumerate(drawing) if item.visible]
+        sources = [drawing[i].curve for i in visible]
+        same = len(sources) == len(self._sources)
+        if same and visible == list(self._places) and all(map(is_, sources, self._sources)):
+            return
+        kept = {id(source): plane for source, plane in zip(self._sources, self._curves, strict=True)}
+        curves = [kept.get(id(source)) or projected(source) for source in sources]
+        if not self._tree.follow(curves):
+            self._tree = ChordTree(curves)
+        self._places = {i: place for place, i in enumerate(visible)}
+        self._sources, self._curves = sources, curves
 
     def plane_curve(self, index: int) -> Curve:
         """Curve `index` as it is seen; it must be visible."""
-        return self._traces[index][1]
+        return self._curves[self._places[index]]
 
-    def trace(self, index: int) -> Trace:
-        """The trace of curve `index`; it must be visible."""
-        return self._traces[index][2]
+    def seen(self, index: int, viewport: Viewport, margin: float = 8.0) -> Ints:
+        """The segments of curve `index` that may be in view, ascending."""
+        return self._tree.seen(self._places[index], *viewport.window(margin))
+
+    def near(self, at: Floats, reach: float, viewport: Viewport) -> dict[int, Stroke]:
+        """What of each curve passes within reach, in pixels, of a pixel (2,), and perhaps some more."""
+        point, away = viewport.to_points(at), reach / viewport.scale
+        tolerance = TOLERANCE / viewport.scale
+        found = self._tree.chords(point - away, point + away, tolerance, whole=True)
+        lines = viewport.lines_to_pixels(found.lines)
+        indices, result = list(self._places), {}
+        for place in np.unique(found.curves).tolist():
+            own = slice(*np.searchsorted(found.curves, (place, place + 1)).tolist())
+            result[indices[place]] = Stroke(-1, lines[own], found.segments[own], found.parameters[own])
+        return result
 
     def paint(
-        self, painter: QPainter, drawing: Drawing, current: int, colours: Colours, *, by_mode: bool
-    ) -> None:
-        """Paint all curves, the current one last, so that it lies on top."""
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        for index in sorted(self._traces, key=lambda i: i == current):
-            item = drawing[index]
-            for stroke in self._traces[index][2].strokes():
-                own = index != current or not by_mode
-                colour = _legible(item, colours) if own else colours.of_mode(MODES[stroke.code])
-                painter.setPen(curve_pen(colour, item.width))
-                draw_lines(painter, stroke.lines)
-
-    def paint_ghost(
-        self, painter: QPainter, before: Drawing, now: Drawing, viewport: Viewport, colours: Colours
-    ) -> None:
-        """Paint, faint, the curves as they were where they have changed since."""
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        faint = QColor(colours.secondary)
-        faint.setAlpha(110)
-        for index, (old, new) in enumerate(zip(before, now, strict=False)):
-            if old.visible and old.curve is not new.curve:
-                curve, trace = self._ghosts.get(index) or (None, Trace())
-                if curve is not old.curve:
-                    self._ghosts[index] = old.curve, trace
-                trace.update(projected(old.curve), viewport)
-                for stroke in trace.strokes():
-                    painter.setPen(QPen(faint, 1.0))
-                    draw_lines(painter, stroke.lines)
-
-    def paint_halo(
         self,
         painter: QPainter,
-        index: int,
-        segments: Iterable[int],
+        drawing: Drawing,
+        current: int,
         viewport: Viewport,
         colours: Colours,
-        width: float = 11.0,
+        *,
+        by_mode: bool,
+        without: Mapping[int, Ints] | None = None,
     ) -> None:
-        """Paint the soft band behind selected (or, narrower, hovered) segments of curve `index`."""
-        chosen = np.array(sorted(segments), dtype=np.intp)
-        if index in self._traces and len(chosen):
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            pen = curve_pen(colours.selection, width)
-            pen.setCapStyle(Qt.PenCapStyle.RoundCap)
-            painter.setPen(pen)
-            for stroke in strokes(self.plane_curve(index), viewport, chosen):
-                draw_lines(painter, stroke.lines)
+        """Paint all curves, the current one last, so that it lies on top; without some segments of some."""
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        margin = 8.0 + max((drawing[i].width for i in self._places), default=0.0) / 2
+        low, high = viewport.window(margin)
+        tolerance = TOLERANCE if self._tree.size <= CROWDED else CROWDED_TOLERANCE
+        ratio = painter.device().devicePixelRatioF()
+        top = self._places.get(current, -1)
+        chords = self._tree.chords(
+            low,
+            high,
+            tolerance / ratio / viewport.scale,
+            by_mode=top if by_mode else -1,
+            without={self._places[i]: segments for i, segments in (without or {}).items()},
+        )
+        lines, kept = clipped(
+            viewport.lines_to_pixels(chords.lines), viewport.width, viewport.height, margin
+        )
+        owners, codes = chords.curves[kept], chords.codes[kept]
+        indices = list(self._places)
+        starts = np.searchsorted(owners, np.arange(len(indices) + 1)).tolist()
+        pens: dict[tuple[str, float], QPen] = {}
+        for place in sorted(np.unique(owners).tolist(), key=lambda place: place == top):
+            item, own = drawing[indices[place]], slice(starts[place], starts[place + 1])
+            if by_mode and place == top:
+                for code in np.unique(codes[own]).tolist():
+                    painter.setPen(curve_pen(colours.of_mode(MODES[code]), item.width))
+                    draw_lines(painter, lines[own][codes[own] == code])
+            else:
+                style = item.color, item.width
+                pen = pens.get(style) or pens.setdefault(
+                    style, curve_pen(_legible(item, colours), item.width)
+                )
+                painter.setPen(pen)
+                draw_lines(painter, lines[own])
+
+
+def paint_segments(
+    painter: QPainter, item: Item, segments: Ints, viewport: Viewport, colours: Colours, *, by_mode: bool
+) -> None:
+    """Paint some segments of one curve as `CurvesPainter.paint` does all."""
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    for stroke in strokes(projected(item.curve), viewport, segments, 8.0 + item.width / 2):
+        colour = colours.of_mode(MODES[stroke.code]) if by_mode else _legible(item, colours)
+        painter.setPen(curve_pen(colour, item.width))
+        draw_lines(painter, stroke.lines)
+
+
+def paint_ghost(
+    painter: QPainter, before: Curve, segments: Ints, viewport: Viewport, colours: Colours
+) -> None:
+    """Paint, faint, some segments of a curve as they were."""
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    faint = QColor(colours.secondary)
+    faint.setAlpha(110)
+    painter.setPen(QPen(faint, 1.0))
+    for stroke in strokes(projected(before), viewport, segments):
+        draw_lines(painter, stroke.lines)
+
+
+def paint_halo(
+    painter: QPainter, curve: Curve, segments: Ints, viewport: Viewport, colours: Colours, width: float = 11.0
+) -> None:
+    """Paint the soft band behind selected (or, narrower, hovered) segments of a plane curve."""
+    if len(segments):
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        pen = curve_pen(colours.selection, width)
+        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+        painter.setPen(pen)
+        for stroke in strokes(curve, viewport, segments, 8.0 + width / 2):
+            draw_lines(painter, stroke.lines)
 
 
 def curve_pen(colour: str, width: float) -> QPen:
@@ -116,3 +174,6 @@ def _legible(item: Item, colours: Colours) -> str:
 
 def _luma(colour: QColor) -> float:
     return 0.299 * colour.red() + 0.587 * colour.green() + 0.114 * colour.blue()
+
+
+

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from enum import IntEnum
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,46 +26,89 @@ HIDDEN = 6.0
 """A joint this near to its control point's handle, in pixels, lies under it."""
 LEAST_JOINT_SPACING = 12.0
 """Joints nearer to each other than this many pixels are not marked."""
+LEAST_HANDLE_SPACING = 8.0
+"""Handles nearer to each other than this many pixels hide the curve and are not shown, unless selected."""
+FEW = 30
+"""So many handles show however near they are."""
+MOST_DASHED = 2000
+"""With more edges in view the polygon is drawn without dashes."""
 CELL = 4.0
 """Of the handles within a square of this many pixels only the topmost is drawn."""
 
 
 class Look(IntEnum):
-    """How a handle looks, in the order in which they are painted."""
+    """How a handle looks."""
 
     INACTIVE = 0
     PLAIN = 1
     SELECTED = 2
 
 
-def paint_polygon(painter: QPainter, curve: Curve, viewport: Viewport, colours: Colours) -> None:
-    """Paint the control polygon, dashed."""
-    pixels = viewport.to_pixels(curve.polygon)
-    lines, _ = clipped(np.hstack([pixels[:-1], pixels[1:]]), viewport.width, viewport.height)
+class Detail(NamedTuple):
+    """How much of what holds a curve can be told apart in a view."""
+
+    handles: bool
+    """Whether control points lie far enough apart to show their handles and their polygon."""
+    dashed: bool
+    """Whether so few edges are in view that they may be dashed."""
+    joints: bool
+    """Whether joints lie far enough apart to be marked."""
+
+
+def detail(curve: Curve, viewport: Viewport, visible: Ints) -> Detail:
+    """What can be told apart in a view that shows some segments of a plane curve."""
+    points = points_inside(curve.control_points, viewport)
+    few = len(points) <= FEW
+    shown = few or _spacing(curve.control_points[points], viewport) >= LEAST_HANDLE_SPACING
+    if not shown:
+        return Detail(handles=False, dashed=False, joints=False)
+    meetings = curve(np.unique(np.concatenate([visible, visible + 1])))
+    meetings = meetings[points_inside(meetings, viewport)]
+    crowded = len(meetings) > 1 and _spacing(meetings, viewport) < LEAST_JOINT_SPACING
+    return Detail(handles=True, dashed=len(visible) <= MOST_DASHED, joints=not crowded)
+
+
+def _spacing(points: Floats, viewport: Viewport) -> float:
+    """The usual distance in pixels from one point to the next."""
+    return float(np.median(np.hypot(*np.diff(points, axis=0).T))) * viewport.scale
+
+
+def points_inside(points: Floats, viewport: Viewport, margin: float = 12.0) -> Ints:
+    """Which points (n, 2) of the plane are in view or, by at most `margin` pixels, beside it."""
+    low, high = viewport.window(margin)
+    x, y = points.T
+    return np.flatnonzero((x >= low[0]) & (x <= high[0]) & (y >= low[1]) & (y <= high[1]))
+
+
+def paint_polygon(
+    painter: QPainter, curve: Curve, edges: Ints, viewport: Viewport, colours: Colours, *, dashed: bool
+) -> None:
+    """Paint some edges of the control polygon, each from the control point of its number."""
+    points = curve.control_points
+    ends = np.hstack([points[edges], points[(edges + 1) % len(points)]])
+    lines, _ = clipped(viewport.lines_to_pixels(ends), viewport.width, viewport.height)
     pen = QPen(QColor(colours.polygon), 1)
-    if len(lines) <= 2000:
+    if dashed:
         pen.setDashPattern([4, 3])
     painter.setPen(pen)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     draw_lines(painter, lines)
 
 
-def paint_joints(painter: QPainter, curve: Curve, viewport: Viewport, colours: Colours) -> None:
-    """Paint a short tick across the curve at each joint, unless they are too crowded to tell apart."""
-    pixels = viewport.to_pixels(curve.joints)
-    visible = np.flatnonzero(_inside(pixels, viewport))
-    if not len(visible):
-        return
-    spacing = np.hypot(*np.diff(pixels[visible], axis=0).T)
-    if len(spacing) and np.median(spacing) < LEAST_JOINT_SPACING:
-        return
-    own = (visible + curve.first_segment) % len(curve.control_points)
+def paint_joints(painter: QPainter, curve: Curve, joints: Ints, viewport: Viewport, colours: Colours) -> None:
+    """Paint a short tick across the curve at some joints."""
+    places = curve(joints)
+    inside = points_inside(places, viewport)
+    joints, pixels = joints[inside], viewport.to_pixels(places[inside])
+    own = (joints + curve.first_segment) % len(curve.control_points)
     handles = viewport.to_pixels(curve.control_points[own])
-    visible = visible[np.hypot(*(pixels[visible] - handles).T) > HIDDEN]
-    across = _normals(curve, visible) * TICK
-    painter.setPen(QPen(QColor(colours.text), 1.5))
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    draw_lines(painter, np.hstack([pixels[visible] - across, pixels[visible] + across]))
+    bare = np.hypot(*(pixels - handles).T) > HIDDEN
+    joints, pixels = joints[bare], pixels[bare]
+    if len(joints):
+        across = _normals(curve, joints) * TICK
+        painter.setPen(QPen(QColor(colours.text), 1.5))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        draw_lines(painter, np.hstack([pixels - across, pixels + across]))
 
 
 def _normals(curve: Curve, joints: Ints) -> Floats:
@@ -79,37 +121,37 @@ def _normals(curve: Curve, joints: Ints) -> Floats:
     return np.stack([unit[:, 1], unit[:, 0]], axis=1)
 
 
-def paint_handles(
-    painter: QPainter,
-    curve: Curve,
-    viewport: Viewport,
-    selected: Collection[int] | Ints,
-    hovered: int | None,
-    colours: Colours,
+def paint_handles(painter: QPainter, curve: Curve, points: Ints, viewport: Viewport, colours: Colours) -> None:
+    """Paint the handles of some control points, those with an inactive λ dashed."""
+    active = curve.active_lambdas[points]
+    for look, chosen in ((Look.INACTIVE, points[~active]), (Look.PLAIN, points[active])):
+        _paint_look(painter, curve, chosen, look, viewport, colours)
+
+
+def paint_selected(painter: QPainter, curve: Curve, points: Ints, viewport: Viewport, colours: Colours) -> None:
+    """Paint the filled handles of selected control points, which cover the other ones."""
+    _paint_look(painter, curve, points, Look.SELECTED, viewport, colours)
+
+
+def paint_hovered(painter: QPainter, curve: Curve, point: int, viewport: Viewport, colours: Colours) -> None:
+    """Paint the handle of the control point under the pointer, with a halo."""
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(Qt.PenStyle.NoPen)
+    halo = QColor(colours.accent)
+    halo.setAlpha(60)
+    painter.setBrush(halo)
+    painter.drawEllipse(QPointF(*viewport.to_pixels(curve.control_points[point])), 10, 10)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    paint_handles(painter, curve, np.array([point]), viewport, colours)
+
+
+def _paint_look(
+    painter: QPainter, curve: Curve, points: Ints, look: Look, viewport: Viewport, colours: Colours
 ) -> None:
-    """Paint the handles of the control points in view: selected ones filled, those with an inactive λ dashed."""
-    pixels = viewport.to_pixels(curve.control_points)
-    visible = np.flatnonzero(_inside(pixels, viewport))
-    looks = np.where(curve.active_lambdas, Look.PLAIN, Look.INACTIVE)
-    looks[np.fromiter(selected, dtype=np.intp, count=len(selected))] = Look.SELECTED
+    places = curve.control_points[points]
+    pixels = thinned(viewport.to_pixels(places[points_inside(places, viewport)]))
     ratio = painter.device().devicePixelRatioF()
-    if hovered is not None and hovered < len(pixels):
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(Qt.PenStyle.NoPen)
-        halo = QColor(colours.accent)
-        halo.setAlpha(60)
-        painter.setBrush(halo)
-        painter.drawEllipse(QPointF(*pixels[hovered]), 10, 10)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-    for look in Look:
-        chosen = thinned(pixels[visible[looks[visible] == look]])
-        _draw_pixmaps(painter, chosen, _pixmap(look, colours, ratio), ratio)
-
-
-def _inside(pixels: Floats, viewport: Viewport) -> NDArray[np.bool_]:
-    far = np.array([viewport.width + 12, viewport.height + 12])
-    inside: NDArray[np.bool_] = np.all((pixels >= -12) & (pixels <= far), axis=1)
-    return inside
+    _draw_pixmaps(painter, pixels, _pixmap(look, colours, ratio), ratio)
 
 
 def thinned(pixels: Floats) -> Floats:

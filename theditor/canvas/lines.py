@@ -12,6 +12,9 @@ from shiboken6 import Shiboken
 
 Floats = NDArray[np.float64]
 
+LONG = 4096.0
+"""A line longer than this many pixels is cut off at the window."""
+
 
 def clipped(
     lines: Floats, width: float, height: float, margin: float = 8.0
@@ -21,14 +24,18 @@ def clipped(
     Qt walks along a dashed line however long it is, so a line that leaves the window far behind would stop the
     program; and its rasteriser has limits beyond some 10⁶ pixels.
     """
-    low = np.minimum(lines[:, :2], lines[:, 2:])
-    high = np.maximum(lines[:, :2], lines[:, 2:])
-    far = (width + margin, height + margin)
-    kept = np.flatnonzero((low <= far).all(axis=1) & (high >= -margin).all(axis=1))
-    lines = lines[kept]
-    long = np.flatnonzero(np.abs(lines[:, 2:] - lines[:, :2]).max(axis=1, initial=0.0, keepdims=False) > 4096)
+    x0, y0, x1, y1 = lines.T
+    seen = (np.minimum(x0, x1) <= width + margin) & (np.maximum(x0, x1) >= -margin)
+    seen &= (np.minimum(y0, y1) <= height + margin) & (np.maximum(y0, y1) >= -margin)
+    kept = np.flatnonzero(seen)
+    if len(kept) < len(lines):
+        lines = lines[kept]
+    x0, y0, x1, y1 = lines.T
+    far = np.array([width + margin, height + margin])
+    long = np.flatnonzero((np.abs(x1 - x0) > LONG) | (np.abs(y1 - y0) > LONG))
     if len(long):
         # Liang–Barsky on the long ones only.
+        lines = lines.copy()
         start, along = lines[long, :2], lines[long, 2:] - lines[long, :2]
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             enter, leave = (-margin - start) / along, (far - start) / along

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, QPen, QPolygonF
 
+from theditor.canvas.handles import points_inside
 from theditor.canvas.lines import clipped, draw_lines
 from theditor.canvas.viewport import Viewport
 from theditor.model import Colours
@@ -21,10 +22,11 @@ from theditor.spline import (
     Track,
     negative_basis,
     reach,
-    uniform_b_spline_samples,
+    uniform_segments,
 )
 
 Floats = NDArray[np.float64]
+Ints = NDArray[np.intp]
 
 TICK = 4.0
 MERGE = 6.0
@@ -33,16 +35,20 @@ LEAST_MISS = 1.0
 """A pull that stays nearer than this to the pointer, in pixels, counts as there."""
 MOST_SIGNS = 300
 """More signs than this in view would hide the drawing."""
-MOST_SEGMENTS = 20_000
-"""Of a longer curve the ordinary B-spline is not drawn."""
+MOST_SEGMENTS = 2000
+"""With more segments in view the ordinary B-spline is not drawn: it could not be told apart."""
 
 
-def paint_uniform(painter: QPainter, curve: Curve, plane: Viewport, colours: Colours) -> None:
-    """Paint the ordinary uniform B-spline of the same degree on the same polygon, thin and dotted."""
-    if curve.segment_count <= MOST_SEGMENTS:
+def paint_uniform(painter: QPainter, curve: Curve, segments: Ints, plane: Viewport, colours: Colours) -> None:
+    """Paint the ordinary uniform B-spline of the same degree on the same polygon, thin and dotted, in some segments."""
+    if len(segments) <= MOST_SEGMENTS:
         pen = _pen(colours.secondary, 1.2)
         pen.setDashPattern([1.5, 3])
-        _polyline(painter, plane.to_pixels(uniform_b_spline_samples(curve, 16)), plane, pen)
+        samples = plane.to_pixels(uniform_segments(curve, segments, 16))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(pen)
+        lines = np.concatenate([samples[:, :-1], samples[:, 1:]], axis=2).reshape(-1, 4)
+        draw_lines(painter, clipped(lines, plane.width, plane.height)[0])
 
 
 def paint_track(
@@ -124,14 +130,10 @@ def paint_hull(painter: QPainter, corners: Floats, plane: Viewport, colours: Col
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def paint_guards(painter: QPainter, curve: Curve, plane: Viewport, colours: Colours) -> None:
-    """Paint a warning sign at the middle of each segment in view that has a negative basis function."""
-    segments = np.unique(guards_of(curve).segments)
-    if not len(segments):
-        return
-    places = plane.to_pixels(curve(segments + 0.5))
-    near = (places > -10) & (places < (plane.width + 10, plane.height + 10))
-    places = places[near.all(axis=1)]
+def paint_guards(painter: QPainter, curve: Curve, segments: Ints, plane: Viewport, colours: Colours) -> None:
+    """Paint a warning sign at the middle of each of some segments that has a negative basis function."""
+    places = curve(np.unique(negative_basis(curve, segments).segments) + 0.5)
+    places = plane.to_pixels(places[points_inside(places, plane, 10.0)])
     if len(places) > MOST_SIGNS:
         return
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)

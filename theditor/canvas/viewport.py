@@ -36,6 +36,12 @@ class Viewport:
         pixels += (self.width / 2, self.height / 2)
         return pixels
 
+    def lines_to_pixels(self, lines: Floats) -> Floats:
+        """Pixels of the starts and ends of lines (n, 4)."""
+        pixels: Floats = (lines - (self.x, self.y) * 2) * ((self.scale, -self.scale) * 2)
+        pixels += (self.width / 2, self.height / 2) * 2
+        return pixels
+
     def to_points(self, pixels: ArrayLike) -> Floats:
         """Inverse of `to_pixels`."""
         away = np.asarray(pixels, dtype=np.float64) - (self.width / 2, self.height / 2)

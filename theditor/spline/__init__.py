@@ -41,7 +41,7 @@ from theditor.spline.sampling import (
     segment_bounds,
 )
 from theditor.spline.shape import PULL_BOUNDS, Pulled, pull, pull_points
-from theditor.spline.uniform import uniform_b_spline_samples
+from theditor.spline.uniform import uniform_b_spline_samples, uniform_segments
 from theditor.spline.vertices import CurvatureExtremes, Inflections, curvature_extremes, inflections
 
 __all__ = [
@@ -128,6 +128,7 @@ __all__ = [
     "smoothed",
     "split",
     "uniform_b_spline_samples",
+    "uniform_segments",
     "with_degree",
     "with_free_ends",
 ]

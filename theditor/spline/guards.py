@@ -51,8 +51,10 @@ class ReversedJoint(NamedTuple):
     reason: str  # what happens there
 
 
-def negative_basis(curve: Curve) -> Guards:
+def negative_basis(curve: Curve, segments: NDArray[np.intp] | None = None) -> Guards:
     """Return every basis function that is negative somewhere in its segment, and where it is lowest.
+
+    Of all segments, or of the given ones, ascending.
 
     Computed segment by segment, since the convex-hull range is sufficient only: inside it there is nothing
     to compute, and outside a quadratic's may still be positive. A function counts as negative when it falls
@@ -61,7 +63,8 @@ def negative_basis(curve: Curve) -> Guards:
     """
     low, high = CONVEX_HULL_RANGE[curve.degree]
     effective = np.where(curve.active_lambdas, curve.lambdas, 0.0)
-    first = np.arange(curve.segment_count) + curve.first_segment
+    asked = np.arange(curve.segment_count) if segments is None else segments
+    first = asked + curve.first_segment
     start, end = (effective[(first + step) % len(effective)] for step in (0, 1))
     suspect = np.flatnonzero((np.minimum(start, end) < low) | (np.maximum(start, end) > high))
     pairs, which = np.unique(start[suspect] + 1j * end[suspect], return_inverse=True)
@@ -72,7 +75,7 @@ def negative_basis(curve: Curve) -> Guards:
     negative = values < -_NEGATIVE * _largest(pairs.real, pairs.imag)[:, None]
     row, function = np.nonzero(negative[which])
     pair = which[row]
-    return Guards(curve.degree, suspect[row], function, t[pair, function], values[pair, function])
+    return Guards(curve.degree, asked[suspect[row]], function, t[pair, function], values[pair, function])
 
 
 def reversed_joints(curve: Curve) -> tuple[ReversedJoint, ...]:

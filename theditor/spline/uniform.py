@@ -1,7 +1,9 @@
 """The ordinary uniform B-spline on the same control points, to compare a curve with."""
 
 import numpy as np
+from numpy.typing import NDArray
 
+from theditor.spline import joints
 from theditor.spline.basis import Floats
 from theditor.spline.curve import Curve
 
@@ -28,18 +30,27 @@ def uniform_b_spline_samples(curve: Curve, per_segment: int = 16) -> Floats:
     ValueError
         If `per_segment` is not a positive integer.
     """
+    inner = uniform_segments(curve, np.arange(curve.segment_count), per_segment)
+    joined = inner[:, :-1].reshape(-1, curve.dimension)
+    return np.concatenate((joined, joined[:1] if curve.closed else inner[-1:, -1]))
+
+
+def uniform_segments(curve: Curve, segments: NDArray[np.intp], per_segment: int = 16) -> Floats:
+    """Return points of some segments of that B-spline, both ends of each included, (k, per_segment + 1, d).
+
+    Raises
+    ------
+    ValueError
+        If `per_segment` is not a positive integer.
+    """
     if per_segment < 1:
         raise ValueError(f"per_segment must be a positive integer, not {per_segment!r}")
-    segments, degree = curve.joint_form, curve.degree
+    parts, degree = joints.take_segments(curve, segments), curve.degree
     t = np.arange(per_segment + 1) / per_segment
     # The joint form with t²/2 in place of r(t; λ), and t³/6 in place of R(t; λ).
     if degree == 2:
         weights = np.stack((np.ones_like(t), 0 * t, -((1 - t) ** 2) / 2, t**2 / 2))
     else:
         weights = np.stack((1 - t, t, (1 - t) ** 3 / 6, t**3 / 6))
-    features = np.stack((segments.start, segments.end, segments.bend_start, segments.bend_end), axis=1)
-    each = features.transpose(0, 2, 1)  # (d, segments, 4)
-    samples = np.empty((curve.dimension, curve.segment_count * per_segment + 1))
-    np.matmul(each, weights[:, :-1], out=samples[:, :-1].reshape(*each.shape[:2], per_segment))
-    samples[:, -1] = samples[:, 0] if curve.closed else each[:, -1] @ weights[:, -1]
-    return samples.T
+    features = np.stack((parts.start, parts.end, parts.bend_start, parts.bend_end), axis=-1)
+    return np.matmul(features, weights).transpose(1, 2, 0)
