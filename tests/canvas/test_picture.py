@@ -5,13 +5,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.grid import number, steps
 from theditor.canvas.handles import CELL, thinned
 from theditor.canvas.hit_test import near_handles, near_places
 from theditor.canvas.labels import place
 from theditor.canvas.lines import clipped
-from theditor.canvas.trace import TOLERANCE, Trace, strokes
+from theditor.canvas.trace import TOLERANCE, Stroke, strokes
 from theditor.canvas.viewport import Viewport
+from theditor.drawing import Drawing, Item
 from theditor.spline import Curve, Mode, self_intersections
 
 PLANE = Viewport(1.0, 0.5, 80.0, 800.0, 600.0)
@@ -66,44 +68,11 @@ def test_every_visible_place_of_a_curve_is_drawn_within_the_tolerance(curve):
         assert distance(drawn, pixel) <= TOLERANCE + 1e-6
 
 
-def drawn_by_segment(strokes):
-    """Rows of segment, mode, and the ends of a line, in order."""
-    rows = [np.column_stack([s.segments, np.full(len(s.lines), s.code), s.lines]) for s in strokes]
-    table = np.vstack([np.empty((0, 6)), *rows])
-    return table[np.argsort(table[:, 0], kind="stable")]
-
-
-@given(curves(), st.data())
-def test_a_trace_after_edits_is_the_trace_made_anew(curve, data):
-    trace = Trace()
-    trace.update(curve, PLANE)
-    for _ in range(3):
-        index = data.draw(st.integers(0, len(curve.control_points) - 1))
-        if data.draw(st.booleans()):
-            curve = curve.with_points([index], [data.draw(st.tuples(coordinates, coordinates))])
-        else:
-            curve = curve.with_lambdas([index], [data.draw(lambdas)])
-        trace.update(curve, PLANE)
-        now, anew = drawn_by_segment(trace.strokes()), drawn_by_segment(strokes(curve, PLANE))
-        assert now.shape == anew.shape
-        assert np.abs(now - anew).max(initial=0.0) < 1e-9
-
-
-def test_a_drag_samples_only_the_segments_it_changes(monkeypatch):
-    curve = Curve(np.random.default_rng(1).normal(size=(200, 2)) * 3, degree=3)
-    trace = Trace()
-    trace.update(curve, PLANE)
-    sampled = []
-
-    def record(curve, plane, segments=None):
-        sampled.append(None if segments is None else segments.tolist())
-        return strokes(curve, plane, segments)
-
-    monkeypatch.setattr("theditor.canvas.trace.strokes", record)
-    for x in (0.1, 0.2, 0.3):
-        trace.update(curve.with_points([100], [[x, 0.0]]), PLANE)
-    trace.update(curve, PLANE)
-    assert sampled == [[97, 98, 99, 100]] * 3
+def picked(curve, at):
+    painter = CurvesPainter()
+    painter.update(Drawing([Item(curve)]))
+    nothing = Stroke(-1, np.empty((0, 4)), np.empty(0, dtype=int), np.empty((0, 2)))
+    return painter.near(at, 8.0, PLANE).get(0, nothing)
 
 
 @given(curves(), st.tuples(st.floats(0, 800), st.floats(0, 600)))
@@ -112,7 +81,7 @@ def test_picking_finds_the_nearest_place_and_its_parameter(curve, at):
     u = np.linspace(*curve.domain, 2000)
     pixels = PLANE.to_pixels(curve(u))
     distances = np.hypot(*(pixels - at).T)
-    places = near_places(strokes(curve, PLANE), at, curve.segment_count)
+    places = near_places(picked(curve, at), at, curve.segment_count)
     if not places:
         assert distances.min() > 8 - TOLERANCE - 1e-6
     else:
@@ -131,11 +100,11 @@ def test_handles_in_one_place_are_picked_from_the_topmost_down():
 def test_a_curve_is_picked_once_for_each_of_its_passages():
     loop = Curve([[-3, 0], [4, 3], [0, 4], [-2, 1], [3, -1], [6, 2]], ends="clamped")
     ((u, v),) = self_intersections(loop)
-    lines = strokes(loop, PLANE)
-    found = near_places(lines, PLANE.to_pixels(loop(u)), loop.segment_count)
+    crossing = PLANE.to_pixels(loop(u))
+    found = near_places(picked(loop, crossing), crossing, loop.segment_count)
     assert sorted(segment + t for _, segment, t in found) == pytest.approx([u, v], abs=0.05)
     joint = PLANE.to_pixels(loop(1.0))
-    assert len(near_places(lines, joint, loop.segment_count)) == 1
+    assert len(near_places(picked(loop, joint), joint, loop.segment_count)) == 1
 
 
 @given(st.lists(st.tuples(st.floats(0, 300), st.floats(0, 200)), min_size=1, max_size=25))

@@ -25,8 +25,9 @@ def thumbnail(drawing: Drawing, size: QSize, ratio: float, colours: Colours) -> 
     scale = float(np.min(room / np.maximum(high - low, 1e-9)))
     x, y = ((low + high) / 2).tolist()
     curves = CurvesPainter()
-    curves.update(drawing, Viewport(x, y, scale, size.width(), size.height()))
+    curves.update(drawing)
+    plane = Viewport(x, y, scale, size.width(), size.height())
     painter = QPainter(pixmap)
-    curves.paint(painter, drawing, 0, colours, by_mode=True)
+    curves.paint(painter, drawing, 0, plane, colours, by_mode=True)
     painter.end()
     return pixmap

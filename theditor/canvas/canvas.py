@@ -16,10 +16,11 @@ from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.fit import fitted
 from theditor.canvas.freehand import FreehandTool
 from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit, exists, parameter_of
+from theditor.canvas.layers import Layers
 from theditor.canvas.legend import Legend
 from theditor.canvas.pen import PenTool
 from theditor.canvas.picking import key_of
-from theditor.canvas.picture import Frame, Shown, paint_ground, paint_picture
+from theditor.canvas.picture import Frame, Shown
 from theditor.canvas.select import SelectTool
 from theditor.canvas.shaping import PullCurve, shaped_by
 from theditor.canvas.snapping import Snapper
@@ -45,6 +46,7 @@ class Canvas(PlaneView):
         super().__init__(parent)
         self._document, self._selection = document, selection
         self._curves = CurvesPainter()
+        self._layers = Layers(self._curves)
         self._shown = Shown()
         self._drag: Drag | None = None
         self._press: Pointer | None = None
@@ -133,21 +135,19 @@ class Canvas(PlaneView):
     # Painting
 
     def drawBackground(self, painter: QPainter, rect: QRectF) -> None:
-        """Paint the ground and the grid."""
-        paint_ground(painter, self._frame())
+        """Leave the ground to the picture, which covers it."""
 
     def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
-        """Paint the curves, and what the current one is held by."""
-        paint_picture(painter, self._frame(), self._curves)
+        """Paint the picture."""
+        self._layers.paint(painter, self._frame())
 
     def _frame(self) -> Frame:
         selection = self._selection
         return Frame(
             self._document.drawing,
             selection.curve,
-            selection.points,
+            selection.chosen,
             selection.segments,
-            {i: of for i, of in selection.chosen.items() if i != selection.curve},
             self._select.box,
             self._valid_hit(),
             self.plane,

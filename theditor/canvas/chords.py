@@ -235,12 +235,17 @@ class ChordTree:
 
     def seen(self, place: int, low: Floats, high: Floats) -> Ints:
         """The segments of one curve whose boxes meet a window, ascending."""
+        begin, end = self._begins[place : place + 2].tolist()
+        steps = np.zeros(end - begin + 1, dtype=np.intp)
         nodes = np.array([place])
-        for level in reversed(self._levels):
+        for height in range(len(self._levels) - 1, -1, -1):
+            level = self._levels[height]
             nodes = nodes[_meet(level, nodes, low, high)]
-            nodes = level.below(nodes) if level is not self._levels[0] else nodes
-        segments: Ints = np.sort(nodes) - self._begins[place]
-        return segments
+            found = _within(level, nodes, low, high) if height else np.ones(len(nodes), dtype=np.bool_)
+            steps[level.first[nodes[found]] - begin] += 1
+            steps[level.last[nodes[found]] - begin + 1] -= 1
+            nodes = level.below(nodes[~found])
+        return np.flatnonzero(np.cumsum(steps[:-1]))
 
     def _barred(self, without: Mapping[int, Ints]) -> list[Flags]:
         """Which nodes of each level hold segments to be left out; nothing if there are none."""
@@ -282,7 +287,6 @@ class ChordTree:
             np.vstack(steps)[order],
         )
 
-
     def _steps(self, leaves: Ints, tolerance: float) -> Ints:
         """Into how many steps of t to cut some leaves: as few as were measured to do, else as the bound says."""
         steps = intervals_within(self._turning[leaves], tolerance)
@@ -301,6 +305,15 @@ def _meet(level: Level, nodes: Ints, low: Floats, high: Floats) -> Flags:
     meet &= level.low[1][nodes] <= high[1]
     meet &= level.high[1][nodes] >= low[1]
     return meet
+
+
+def _within(level: Level, nodes: Ints, low: Floats, high: Floats) -> Flags:
+    """Which boxes lie in a window altogether."""
+    within: Flags = level.high[0][nodes] <= high[0]
+    within &= level.low[0][nodes] >= low[0]
+    within &= level.high[1][nodes] <= high[1]
+    within &= level.low[1][nodes] >= low[1]
+    return within
 
 
 def _stray(points: Floats, steps: int) -> Floats:

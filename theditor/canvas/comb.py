@@ -11,6 +11,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from theditor.canvas.lines import clipped, draw_lines
+from theditor.canvas.part import Part
 from theditor.canvas.viewport import Viewport
 from theditor.model import Colours
 from theditor.spline import Curve
@@ -20,6 +21,7 @@ from theditor.spline.vertices import curvature_extremes, inflections
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.intp]
+Flags = NDArray[np.bool_]
 
 MOST_TEETH = 6000
 """More teeth than this in view cannot be told apart."""
@@ -96,23 +98,17 @@ class Marks(NamedTuple):
 
     inflections: Floats
     extremes: Floats
-    maximum: NDArray[np.bool_]
+    maximum: Flags
     """Which extremes of |κ| are maxima."""
 
-    def within(self, segments: Ints) -> Marks:
-        """Those in some segments or at their joints."""
-        turns, peaks = _touched(self.inflections, segments), _touched(self.extremes, segments)
+    def within(self, part: Part) -> Marks:
+        """Those in the segments of a part of the curve and at their joints."""
+        turns, peaks = (_inside_part(u, part) for u in (self.inflections, self.extremes))
         return Marks(self.inflections[turns], self.extremes[peaks], self.maximum[peaks])
 
-    def beyond(self, segments: Ints) -> Marks:
-        """The others."""
-        turns, peaks = _touched(self.inflections, segments), _touched(self.extremes, segments)
-        return Marks(self.inflections[~turns], self.extremes[~peaks], self.maximum[~peaks])
 
-
-def _touched(u: Floats, segments: Ints) -> NDArray[np.bool_]:
-    """Which parameters lie in or at the ends of some segments."""
-    return np.isin(np.floor(u), segments) | np.isin(np.ceil(u) - 1, segments)
+def _inside_part(u: Floats, part: Part) -> Flags:
+    return np.where(u == np.floor(u), np.isin(u, part.joints), np.isin(np.floor(u), part.segments))
 
 
 @lru_cache(maxsize=2)
@@ -124,14 +120,15 @@ def marks_of(curve: Curve) -> Marks:
     return Marks(inflections(curve).u, extremes.u, extremes.maximum)
 
 
-def marks_near(curve: Curve, segments: Ints) -> Marks:
-    """Those in and around some segments, found by looking at these alone while they are one run."""
-    first, last = int(segments[0]) - 1, int(segments[-1]) + 1
-    if last - first > len(segments) + 1 or curve.segment_count > MOST_MARKED or first < 0:
-        return marks_of(curve).within(segments)
-    last = min(last, curve.segment_count - 1)
-    near = marks_of(stretch(curve, first, last))
-    return near._replace(inflections=near.inflections + first, extremes=near.extremes + first).within(segments)
+def marks_near(curve: Curve, part: Part) -> Marks:
+    """Those in and around a part of the curve, found by looking at it alone if it is one run of segments."""
+    if not len(part.segments):
+        return Marks(np.empty(0), np.empty(0), np.empty(0, dtype=np.bool_))
+    first, last = int(part.segments[0]) - 1, int(part.segments[-1]) + 1
+    if first < 0 or last >= curve.segment_count or last - first > len(part.segments) + 1:
+        return marks_of(curve).within(part)
+    near = marks_of(stretch(curve, first, last)) if curve.segment_count <= MOST_MARKED else marks_of(curve)
+    return near._replace(inflections=near.inflections + first, extremes=near.extremes + first).within(part)
 
 
 def paint_marks(painter: QPainter, curve: Curve, marks: Marks, plane: Viewport, colours: Colours) -> None:

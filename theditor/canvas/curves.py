@@ -60,17 +60,27 @@ class CurvesPainter:
         """The segments of curve `index` that may be in view, ascending."""
         return self._tree.seen(self._places[index], *viewport.window(margin))
 
-    def near(self, at: Floats, reach: float, viewport: Viewport) -> dict[int, Stroke]:
-        """What of each curve passes within reach, in pixels, of a pixel (2,), and perhaps some more."""
+    def near(
+        self, at: Floats, reach: float, viewport: Viewport, without: Mapping[int, Ints] | None = None
+    ) -> dict[int, Stroke]:
+        """What of each curve passes within reach, in pixels, of a pixel (2,), and some more around it.
+
+        Some segments of some curves may be left out.
+        """
         point, away = viewport.to_points(at), reach / viewport.scale
         tolerance = TOLERANCE / viewport.scale
-        found = self._tree.chords(point - away, point + away, tolerance, whole=True)
+        found = self._tree.chords(
+            point - away, point + away, tolerance, without=self._by_place(without), whole=True
+        )
         lines = viewport.lines_to_pixels(found.lines)
         indices, result = list(self._places), {}
         for place in np.unique(found.curves).tolist():
             own = slice(*np.searchsorted(found.curves, (place, place + 1)).tolist())
             result[indices[place]] = Stroke(-1, lines[own], found.segments[own], found.parameters[own])
         return result
+
+    def _by_place(self, segments: Mapping[int, Ints] | None) -> dict[int, Ints]:
+        return {self._places[i]: of for i, of in (segments or {}).items() if i in self._places}
 
     def paint(
         self,
@@ -95,11 +105,9 @@ class CurvesPainter:
             high,
             tolerance / ratio / viewport.scale,
             by_mode=top if by_mode else -1,
-            without={self._places[i]: segments for i, segments in (without or {}).items()},
+            without=self._by_place(without),
         )
-        lines, kept = clipped(
-            viewport.lines_to_pixels(chords.lines), viewport.width, viewport.height, margin
-        )
+        lines, kept = clipped(viewport.lines_to_pixels(chords.lines), viewport.width, viewport.height, margin)
         owners, codes = chords.curves[kept], chords.codes[kept]
         indices = list(self._places)
         starts = np.searchsorted(owners, np.arange(len(indices) + 1)).tolist()
@@ -120,11 +128,18 @@ class CurvesPainter:
 
 
 def paint_segments(
-    painter: QPainter, item: Item, segments: Ints, viewport: Viewport, colours: Colours, *, by_mode: bool
+    painter: QPainter,
+    item: Item,
+    curve: Curve,
+    segments: Ints,
+    viewport: Viewport,
+    colours: Colours,
+    *,
+    by_mode: bool,
 ) -> None:
-    """Paint some segments of one curve as `CurvesPainter.paint` does all."""
+    """Paint some segments of one item's plane curve as `CurvesPainter.paint` does all."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    for stroke in strokes(projected(item.curve), viewport, segments, 8.0 + item.width / 2):
+    for stroke in strokes(curve, viewport, segments, 8.0 + item.width / 2):
         colour = colours.of_mode(MODES[stroke.code]) if by_mode else _legible(item, colours)
         painter.setPen(curve_pen(colour, item.width))
         draw_lines(painter, stroke.lines)
@@ -133,12 +148,12 @@ def paint_segments(
 def paint_ghost(
     painter: QPainter, before: Curve, segments: Ints, viewport: Viewport, colours: Colours
 ) -> None:
-    """Paint, faint, some segments of a curve as they were."""
+    """Paint, faint, some segments of a plane curve as they were."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     faint = QColor(colours.secondary)
     faint.setAlpha(110)
     painter.setPen(QPen(faint, 1.0))
-    for stroke in strokes(projected(before), viewport, segments):
+    for stroke in strokes(before, viewport, segments):
         draw_lines(painter, stroke.lines)
 
 
@@ -174,6 +189,3 @@ def _legible(item: Item, colours: Colours) -> str:
 
 def _luma(colour: QColor) -> float:
     return 0.299 * colour.red() + 0.587 * colour.green() + 0.114 * colour.blue()
-
-
-

@@ -13,7 +13,7 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 from shiboken6 import Shiboken
 
 from theditor.canvas.lines import clipped, draw_lines
-from theditor.canvas.viewport import Viewport
+from theditor.canvas.viewport import Viewport, inside
 from theditor.model.colours import Colours
 from theditor.spline import Curve
 
@@ -28,6 +28,8 @@ LEAST_JOINT_SPACING = 12.0
 """Joints nearer to each other than this many pixels are not marked."""
 LEAST_HANDLE_SPACING = 8.0
 """Handles nearer to each other than this many pixels hide the curve and are not shown, unless selected."""
+PROBES = 2000
+"""So many distances tell how near points lie to each other."""
 FEW = 30
 """So many handles show however near they are."""
 MOST_DASHED = 2000
@@ -47,6 +49,10 @@ class Look(IntEnum):
 class Detail(NamedTuple):
     """How much of what holds a curve can be told apart in a view."""
 
+    points: int
+    """How many control points are in view,"""
+    segments: int
+    """and how many segments."""
     handles: bool
     """Whether control points lie far enough apart to show their handles and their polygon."""
     dashed: bool
@@ -58,26 +64,24 @@ class Detail(NamedTuple):
 def detail(curve: Curve, viewport: Viewport, visible: Ints) -> Detail:
     """What can be told apart in a view that shows some segments of a plane curve."""
     points = points_inside(curve.control_points, viewport)
-    few = len(points) <= FEW
-    shown = few or _spacing(curve.control_points[points], viewport) >= LEAST_HANDLE_SPACING
-    if not shown:
-        return Detail(handles=False, dashed=False, joints=False)
+    counts = len(points), len(visible)
+    if len(points) > FEW and _spacing(curve.control_points[points], viewport) < LEAST_HANDLE_SPACING:
+        return Detail(*counts, handles=False, dashed=False, joints=False)
     meetings = curve(np.unique(np.concatenate([visible, visible + 1])))
     meetings = meetings[points_inside(meetings, viewport)]
     crowded = len(meetings) > 1 and _spacing(meetings, viewport) < LEAST_JOINT_SPACING
-    return Detail(handles=True, dashed=len(visible) <= MOST_DASHED, joints=not crowded)
+    return Detail(*counts, handles=True, dashed=len(visible) <= MOST_DASHED, joints=not crowded)
 
 
 def _spacing(points: Floats, viewport: Viewport) -> float:
-    """The usual distance in pixels from one point to the next."""
-    return float(np.median(np.hypot(*np.diff(points, axis=0).T))) * viewport.scale
+    """The usual distance in pixels from one point to the next, as some of them tell."""
+    step = 1 + len(points) // PROBES
+    return float(np.median(np.hypot(*(points[1::step] - points[:-1:step]).T))) * viewport.scale
 
 
 def points_inside(points: Floats, viewport: Viewport, margin: float = 12.0) -> Ints:
     """Which points (n, 2) of the plane are in view or, by at most `margin` pixels, beside it."""
-    low, high = viewport.window(margin)
-    x, y = points.T
-    return np.flatnonzero((x >= low[0]) & (x <= high[0]) & (y >= low[1]) & (y <= high[1]))
+    return inside(points, *viewport.window(margin))
 
 
 def paint_polygon(
@@ -121,14 +125,18 @@ def _normals(curve: Curve, joints: Ints) -> Floats:
     return np.stack([unit[:, 1], unit[:, 0]], axis=1)
 
 
-def paint_handles(painter: QPainter, curve: Curve, points: Ints, viewport: Viewport, colours: Colours) -> None:
+def paint_handles(
+    painter: QPainter, curve: Curve, points: Ints, viewport: Viewport, colours: Colours
+) -> None:
     """Paint the handles of some control points, those with an inactive λ dashed."""
     active = curve.active_lambdas[points]
     for look, chosen in ((Look.INACTIVE, points[~active]), (Look.PLAIN, points[active])):
         _paint_look(painter, curve, chosen, look, viewport, colours)
 
 
-def paint_selected(painter: QPainter, curve: Curve, points: Ints, viewport: Viewport, colours: Colours) -> None:
+def paint_selected(
+    painter: QPainter, curve: Curve, points: Ints, viewport: Viewport, colours: Colours
+) -> None:
     """Paint the filled handles of selected control points, which cover the other ones."""
     _paint_look(painter, curve, points, Look.SELECTED, viewport, colours)
 

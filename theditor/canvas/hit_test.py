@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
@@ -10,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from theditor.canvas.trace import Stroke
-from theditor.canvas.viewport import Viewport
+from theditor.canvas.viewport import Viewport, inside
 from theditor.spline import Curve
 
 Floats = NDArray[np.float64]
@@ -19,6 +18,10 @@ REACH = 8.0
 """How near, in pixels, the pointer must be to pick something."""
 JOINT_REACH = 6.0
 """The same for joints, which lie on a curve that can be picked itself."""
+
+
+MOST_PASSAGES = 16
+"""Of more passages of a curve within reach only the nearest are told apart."""
 
 
 @dataclass(frozen=True)
@@ -72,29 +75,38 @@ def near_handles(handles: Floats, at: Floats, reach: float = REACH) -> list[int]
     return chosen
 
 
+def near_points(points: Floats, at: Floats, plane: Viewport, reach: float = REACH) -> list[int]:
+    """As `near_handles`, of points of the plane, which need not be brought to the screen first."""
+    centre = plane.to_points(at)
+    close = inside(points, centre - reach / plane.scale, centre + reach / plane.scale)
+    chosen: list[int] = close[near_handles(plane.to_pixels(points[close]), at, reach)].tolist()
+    return chosen
+
+
 def near_places(
-    strokes: Iterable[Stroke], at: Floats, count: int, reach: float = REACH
+    stroke: Stroke, at: Floats, count: int, reach: float = REACH
 ) -> list[tuple[float, int, float]]:
     """Distance in pixels, segment and t of the drawn places within reach of `at` (2,), nearest first.
 
     There is one for each passage of the curve, which has `count` segments: neighbouring segments are one.
     """
     best: dict[int, tuple[float, int, float]] = {}
-    for stroke in strokes:
-        start, along = stroke.lines[:, :2], stroke.lines[:, 2:] - stroke.lines[:, :2]
-        squared_length = (along**2).sum(axis=1)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            f = np.nan_to_num(((at - start) * along).sum(axis=1) / squared_length).clip(0.0, 1.0)
-        distances = np.hypot(*(start + f[:, None] * along - at).T)
-        for i in np.flatnonzero(distances <= reach).tolist():
-            segment, away = int(stroke.segments[i]), float(distances[i])
-            if segment not in best or away < best[segment][0]:
-                t0, t1 = stroke.parameters[i].tolist()
-                best[segment] = away, segment, float(t0 + f[i] * (t1 - t0))
+    start, along = stroke.lines[:, :2], stroke.lines[:, 2:] - stroke.lines[:, :2]
+    squared_length = (along**2).sum(axis=1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        f = np.nan_to_num(((at - start) * along).sum(axis=1) / squared_length).clip(0.0, 1.0)
+    distances = np.hypot(*(start + f[:, None] * along - at).T)
+    for i in np.flatnonzero(distances <= reach).tolist():
+        segment, away = int(stroke.segments[i]), float(distances[i])
+        if segment not in best or away < best[segment][0]:
+            t0, t1 = stroke.parameters[i].tolist()
+            best[segment] = away, segment, float(t0 + f[i] * (t1 - t0))
     passages: list[tuple[float, int, float]] = []
     for place in sorted(best.values()):
         if all((place[1] - other[1]) % count not in (1, count - 1) for other in passages):
             passages.append(place)
+        if len(passages) == MOST_PASSAGES:
+            break
     return passages
 
 

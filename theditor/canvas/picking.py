@@ -6,14 +6,15 @@ from collections.abc import Iterable
 
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.hit_test import (
+    REACH,
     BoxHit,
     Hit,
     JointHit,
     MiddleHit,
     PointHit,
     SegmentHit,
-    near_handles,
     near_places,
+    near_points,
     sliding_place,
 )
 from theditor.canvas.viewport import Floats, Viewport
@@ -38,16 +39,17 @@ def pick(
     Locked and hidden curves are not there. Of segments that merely meet only the nearest counts; where a
     curve crosses itself, both do.
     """
-    curves.update(drawing, plane)
+    curves.update(drawing)
     hits: list[Hit] = []
     for i in sorted(selected, key=lambda i: (i != current, -i)):
         if drawing[i].visible and not drawing[i].locked:
-            pixels = plane.to_pixels(curves.plane_curve(i).control_points)
-            hits += [PointHit(i, index) for index in near_handles(pixels, at)]
+            points = curves.plane_curve(i).control_points
+            hits += [PointHit(i, index) for index in near_points(points, at, plane)]
     found: list[tuple[float, SegmentHit]] = []
-    for i in sorted(range(len(drawing)), key=lambda i: (i != current, -i)):
-        if drawing[i].visible and not drawing[i].locked:
-            places = near_places(curves.trace(i).strokes(), at, curves.plane_curve(i).segment_count)
+    near = curves.near(at, REACH, plane)
+    for i in sorted(near, key=lambda i: (i != current, -i)):
+        if not drawing[i].locked:
+            places = near_places(near[i], at, curves.plane_curve(i).segment_count)
             found += [(away, SegmentHit(i, segment, min(t, 1.0))) for away, segment, t in places]
     for hit in _topmost_first(found):
         own = hit.curve == current

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,14 +12,16 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen
 
 from theditor.canvas import comb, handles, overlays
-from theditor.canvas.curves import CurvesPainter
+from theditor.canvas.curves import paint_halo
 from theditor.canvas.grid import paint_grid
+from theditor.canvas.handles import Detail, points_inside
 from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit, parameter_of
 from theditor.canvas.labels import MOST, paint_labels
-from theditor.canvas.projection import projected
+from theditor.canvas.part import NOTHING, Part
 from theditor.canvas.shaping import track_of
 from theditor.canvas.sketch import Sketch, paint_sketch
 from theditor.canvas.snapping import Snapped
+from theditor.canvas.trace import strokes
 from theditor.canvas.transform import Box, paint_box
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.drawing import Drawing
@@ -59,10 +62,9 @@ class Frame:
 
     drawing: Drawing
     current: int
-    points: frozenset[int]
+    chosen: Mapping[int, Ints]
+    """Selected control points by the curve, of all selected curves: their handles show."""
     segments: frozenset[int]
-    others: Mapping[int, Ints]
-    """Selected control points of other selected curves, by the curve; their handles show, too."""
     box: Box | None
     """The box around all selected control points."""
     hit: Hit
@@ -86,6 +88,32 @@ class Frame:
     snapped: Snapped | None = None
     """What the point at hand is drawn to."""
 
+    @property
+    def held(self) -> tuple[int, ...]:
+        """The visible curves that show what they are held by, the current one last."""
+        shown = [i for i in self.chosen if self.drawing[i].visible]
+        return tuple(sorted(shown, key=lambda i: i == self.current))
+
+    @property
+    def has_current(self) -> bool:
+        """Whether there is a current curve to be seen."""
+        return self.current >= 0 and self.drawing[self.current].visible
+
+
+Seen = Callable[[int], Curve]
+"""Gives a curve of the drawing as it is seen."""
+
+
+class Piece(NamedTuple):
+    """A part of a curve to be painted, and how."""
+
+    curve: Curve
+    reference: Curve
+    """The curve as it was before the gesture under way, if there is one: it sets the scale of the comb."""
+    part: Part
+    detail: Detail
+    current: bool
+
 
 def paint_ground(painter: QPainter, frame: Frame) -> None:
     """Paint what lies behind the drawing."""
@@ -94,10 +122,73 @@ def paint_ground(painter: QPainter, frame: Frame) -> None:
         paint_grid(painter, frame.plane, frame.colours, frame.font)
 
 
-def paint_picture(painter: QPainter, frame: Frame, curves: CurvesPainter) -> None:
-    """Paint the curves, then what the current one is held by, then what the hand is about to do."""
-    _paint_curves(painter, frame, curves)
+def paint_below(painter: QPainter, frame: Frame, piece: Piece) -> None:
+    """Paint what a part of a held curve has below the curves."""
+    plane, colours, shown = frame.plane, frame.colours, frame.shown
+    curve, part, detail = piece.curve, piece.part, piece.detail
+    if piece.current and shown.uniform and detail.handles:
+        overlays.paint_uniform(painter, curve, part.segments, plane, colours)
+    if shown.polygon and detail.handles:
+        handles.paint_polygon(painter, curve, part.edges, plane, colours, dashed=detail.dashed)
+    if piece.current and shown.comb:
+        comb.paint_comb(
+            painter,
+            curve,
+            part.segments,
+            piece.reference,
+            shown.comb_length,
+            comb.density_for(shown.comb_density, detail.segments),
+            plane,
+            colours,
+        )
+    if piece.current and frame.segments:
+        paint_halo(painter, curve, _common(frame.segments, part.segments), plane, colours)
+
+
+def paint_above(painter: QPainter, frame: Frame, piece: Piece) -> None:
+    """Paint what a part of a held curve has above the curves."""
+    plane, colours, shown = frame.plane, frame.colours, frame.shown
+    curve, part, detail = piece.curve, piece.part, piece.detail
+    if piece.current and shown.joints and detail.joints:
+        handles.paint_joints(painter, curve, part.joints, plane, colours)
+    if piece.current and shown.guards and detail.handles:
+        overlays.paint_guards(painter, curve, part.segments, plane, colours)
+    if piece.current and shown.marks:
+        still = curve is piece.reference
+        marks = comb.marks_of(curve).within(part) if still else comb.marks_near(curve, part)
+        comb.paint_marks(painter, curve, marks, plane, colours)
+    if detail.handles:
+        handles.paint_handles(painter, curve, part.points, plane, colours)
+
+
+def paint_behind(painter: QPainter, frame: Frame, seen: Seen) -> None:
+    """Paint, below the curves, what is under the pointer and what λ can do there."""
     plane, colours = frame.plane, frame.colours
+    if isinstance(frame.hit, SegmentHit):
+        hovered = np.array([frame.hit.segment])
+        paint_halo(painter, seen(frame.hit.curve), hovered, plane, colours, width=7.0)
+    if not frame.has_current:
+        return
+    curve = seen(frame.current)
+    for point in frame.reach:
+        if point < len(curve.control_points) and curve.active_lambdas[point]:
+            overlays.paint_reach(painter, curve, point, frame.bounds, plane, colours)
+    if frame.shown.hull:
+        for segment in sorted(frame.segments)[:MOST_HULLS]:
+            overlays.paint_hull(painter, hull(curve, segment), plane, colours)
+    here = parameter_of(frame.hit, frame.current, curve)
+    u = frame.place if here is None else here
+    if frame.shown.circle and u is not None and u <= curve.segment_count:
+        comb.paint_circle(painter, curve, u, plane, colours)
+
+
+def paint_hand(painter: QPainter, frame: Frame, seen: Seen) -> None:
+    """Paint, above all, what is selected, what is under the pointer, and what the hand is about to do."""
+    plane, colours = frame.plane, frame.colours
+    if frame.has_current:
+        _paint_held(painter, frame, seen)
+    if not frame.drawing and frame.sketch is None:
+        _paint_empty(painter, frame)
     if frame.sketch is not None:
         paint_sketch(painter, frame.sketch, plane, colours)
     if frame.snapped is not None:
@@ -107,97 +198,57 @@ def paint_picture(painter: QPainter, frame: Frame, curves: CurvesPainter) -> Non
         _paint_marquee(painter, plane.to_pixels(frame.marquee), colours)
 
 
-def _paint_curves(painter: QPainter, frame: Frame, curves: CurvesPainter) -> None:
-    drawing, current, plane, colours = frame.drawing, frame.current, frame.plane, frame.colours
-    curves.update(drawing, plane)
-    if not len(drawing) and frame.sketch is None:
-        _paint_empty(painter, frame)
-    if isinstance(frame.hit, SegmentHit):
-        curves.paint_halo(painter, frame.hit.curve, [frame.hit.segment], plane, colours, width=7.0)
-    if current < 0 or not drawing[current].visible:
-        curves.paint(painter, drawing, -1, colours, by_mode=False)
-        return
-    curve = curves.plane_curve(current)
-    for point in frame.reach:
-        if point < len(curve.control_points) and curve.active_lambdas[point]:
-            overlays.paint_reach(painter, curve, point, frame.bounds, plane, colours)
-    if frame.shown.hull:
-        for segment in sorted(frame.segments)[:MOST_HULLS]:
-            overlays.paint_hull(painter, hull(curve, segment), plane, colours)
-    if frame.shown.ghost and frame.before is not None:
-        curves.paint_ghost(painter, frame.before, drawing, plane, colours)
-    if frame.shown.uniform:
-        overlays.paint_uniform(painter, curve, plane, colours)
-    others = [(i, curves.plane_curve(i), points) for i, points in frame.others.items() if drawing[i].visible]
-    if frame.shown.polygon:
-        for _, other, _ in others:
-            handles.paint_polygon(painter, other, plane, colours)
-        handles.paint_polygon(painter, curve, plane, colours)
-    _paint_curvature(painter, frame, curve)
-    curves.paint_halo(painter, current, frame.segments, plane, colours)
-    curves.paint(painter, drawing, current, colours, by_mode=frame.shown.modes)
-    if frame.shown.joints:
-        handles.paint_joints(painter, curve, plane, colours)
-    if frame.shown.guards:
-        overlays.paint_guards(painter, curve, plane, colours)
-    if frame.shown.marks:
-        comb.paint_marks(painter, curve, plane, colours)
+def _paint_held(painter: QPainter, frame: Frame, seen: Seen) -> None:
+    plane, colours, curve = frame.plane, frame.colours, seen(frame.current)
     if frame.place is not None and frame.place <= curve.segment_count:
         overlays.paint_place(painter, plane.to_pixels(curve(frame.place)), colours)
     if frame.miss is not None:
         overlays.paint_miss(painter, plane.to_pixels(frame.miss), colours)
     if frame.box is not None and frame.marquee is None:
         paint_box(painter, frame.box, plane, colours)
-    for i, other, points in others:
-        handles.paint_handles(painter, other, plane, points, _hovered(frame, i), colours)
-    handles.paint_handles(painter, curve, plane, frame.points, _hovered(frame, current), colours)
+    if isinstance(frame.hit, PointHit):
+        handles.paint_hovered(painter, seen(frame.hit.curve), frame.hit.index, plane, colours)
+    for index in frame.held:
+        handles.paint_selected(painter, seen(index), frame.chosen[index], plane, colours)
     for track in _tracks(frame, curve):
         overlays.paint_track(painter, curve, track, plane, colours, frame.font)
-    if frame.shown.labels:
-        _paint_labels(painter, frame, curve, curves)
-
-
-def _hovered(frame: Frame, index: int) -> int | None:
-    """The control point of a curve that is under the pointer."""
-    hit = frame.hit
-    return hit.index if isinstance(hit, PointHit) and hit.curve == index else None
-
-
-def _paint_curvature(painter: QPainter, frame: Frame, curve: Curve) -> None:
-    shown, plane, colours = frame.shown, frame.plane, frame.colours
-    if shown.comb:
-        steady = frame.before or frame.drawing
-        reference = projected(steady[frame.current].curve) if frame.current < len(steady) else curve
-        comb.paint_comb(painter, curve, reference, shown.comb_length, shown.comb_density, plane, colours)
-    if shown.circle:
-        here = parameter_of(frame.hit, frame.current, curve)
-        u = frame.place if here is None else here
-        if u is not None:
-            comb.paint_circle(painter, curve, u, plane, colours)
 
 
 def _tracks(frame: Frame, curve: Curve) -> list[Track]:
     """The tracks to show: of what is under the pointer, else of the one selected point or segment."""
     if isinstance(frame.hit, JointHit | MiddleHit):
         return [track_of(curve, frame.hit)]
-    if curve.degree == 3 and len(frame.points) == 1:
-        (point,) = frame.points
+    points = frame.chosen.get(frame.current, NOTHING)
+    if curve.degree == 3 and len(points) == 1:
+        point = int(points[0])
         return [joint_track(curve, point)] if curve.active_lambdas[point] else []
-    if curve.degree == 2 and len(frame.segments) == 1 and not frame.points:
+    if curve.degree == 2 and len(frame.segments) == 1 and not len(points):
         (segment,) = frame.segments
         return [middle_track(curve, segment)]
     return []
 
 
-def _paint_labels(painter: QPainter, frame: Frame, curve: Curve, curves: CurvesPainter) -> None:
-    pixels = frame.plane.to_pixels(curve.control_points)
-    inside = ((pixels >= 0) & (pixels <= (frame.plane.width, frame.plane.height))).all(axis=1)
-    visible = np.flatnonzero(inside)
-    if len(visible) <= MOST:
-        on_curve = [stroke.lines[:, :2] for stroke in curves.trace(frame.current).strokes()]
-        obstacles = np.vstack([np.empty((0, 2)), *on_curve])
-        names = visible.tolist()
-        paint_labels(painter, names, pixels[visible], obstacles, frame.points, frame.colours, frame.font)
+def paint_names(painter: QPainter, frame: Frame, curve: Curve, segments: Ints) -> None:
+    """Paint the labels of the current curve's control points, off those of its segments that are in view."""
+    points = points_inside(curve.control_points, frame.plane, 0.0)
+    if len(points) <= MOST:
+        drawn = [stroke.lines[:, :2] for stroke in strokes(curve, frame.plane, segments)]
+        paint_labels(
+            painter,
+            points.tolist(),
+            frame.plane.to_pixels(curve.control_points[points]),
+            np.vstack([np.empty((0, 2)), *drawn]),
+            frozenset(frame.chosen.get(frame.current, NOTHING).tolist()),
+            frame.colours,
+            frame.font,
+        )
+
+
+def _common(chosen: frozenset[int], segments: Ints) -> Ints:
+    """Which of some segments are chosen."""
+    wanted = np.fromiter(chosen, dtype=np.intp, count=len(chosen))
+    common: Ints = segments[np.isin(segments, wanted)]
+    return common
 
 
 def _paint_empty(painter: QPainter, frame: Frame) -> None:

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.grid import steps
-from theditor.canvas.hit_test import REACH, near_handles, near_places
-from theditor.canvas.trace import without
+from theditor.canvas.hit_test import REACH, near_places, near_points
+from theditor.canvas.trace import Stroke
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.drawing import Drawing
 from theditor.model.words import indexed
@@ -64,13 +64,14 @@ class Snapper:
         """What a point (2,) is drawn to within reach on the screen, apart from what moves; None if off."""
         if not self.on:
             return None
-        self._curves.update(drawing, plane)
+        self._curves.update(drawing)
         at = plane.to_pixels(point)
         visible = [i for i, item in enumerate(drawing) if item.visible]
+        near = self._curves.near(at, REACH, plane, without=moves.segments)
         return (
             self._control_point(at, visible, plane, moves)
-            or self._joint(at, visible, plane, moves)
-            or self._curve(at, visible, moves)
+            or self._joint(at, near, plane)
+            or self._curve(at, near)
             or _grid(point, plane)
         )
 
@@ -81,26 +82,22 @@ class Snapper:
         for i in visible:
             points = self._curves.plane_curve(i).control_points
             own = moves.points.get(i, NOTHING)
-            near = [p for p in near_handles(plane.to_pixels(points), at) if p not in own]
+            near = [p for p in near_points(points, at, plane) if p not in own]
             found += [(points[p], indexed("P", p)) for p in near[:1]]
         return _nearest(found, at, plane)
 
-    def _joint(self, at: Floats, visible: list[int], plane: Viewport, moves: Moving) -> Snapped | None:
+    def _joint(self, at: Floats, near: Mapping[int, Stroke], plane: Viewport) -> Snapped | None:
         found = []
-        for i in visible:
-            joints = self._curves.plane_curve(i).joints
-            gone = moves.segments.get(i, NOTHING)
-            barred = set(gone.tolist()) | {s + 1 for s in gone.tolist()}
-            near = [j for j in near_handles(plane.to_pixels(joints), at) if j not in barred]
-            found += [(joints[j], "joint") for j in near[:1]]
+        for i, stroke in near.items():
+            joints = np.unique(np.concatenate([stroke.segments, stroke.segments + 1]))
+            places = self._curves.plane_curve(i)(joints)
+            found += [(places[j], "joint") for j in near_points(places, at, plane)[:1]]
         return _nearest(found, at, plane)
 
-    def _curve(self, at: Floats, visible: list[int], moves: Moving) -> Snapped | None:
+    def _curve(self, at: Floats, near: Mapping[int, Stroke]) -> Snapped | None:
         best: tuple[float, int, float] | None = None
-        for i in visible:
-            gone = moves.segments.get(i, NOTHING)
-            strokes = [part for stroke in self._curves.trace(i).strokes() for part in without(stroke, gone)]
-            for away, segment, t in near_places(strokes, at, self._curves.plane_curve(i).segment_count)[:1]:
+        for i, stroke in near.items():
+            for away, segment, t in near_places(stroke, at, self._curves.plane_curve(i).segment_count)[:1]:
                 if best is None or away < best[0]:
                     best = away, i, segment + min(max(t, 0.0), 1.0)
         return None if best is None else Snapped(self._curves.plane_curve(best[1])(best[2]), "curve")

@@ -89,13 +89,14 @@ class MovePoints:
 
     def move(self, pointer: Pointer) -> None:
         """Preview the points at their start plus the whole offset."""
-        drawing, hit = self._document.drawing, self._hit
+        hit = self._hit
         if self._gesture is None:
             if hit.index not in self._selection.chosen[hit.curve]:
                 self._selection.toggle(hit.curve, hit.index)
             chosen = self._selection.movable
             self._gesture = self._document.begin(f"Move {points_counted(chosen)}")
             self._held = Held(self._gesture.before, chosen)
+            drawing = self._gesture.before
             self._grabbed = projected(drawing[hit.curve].curve).control_points[hit.index]
             self._moving = moving(drawing, chosen) if self._snapper.on else STILL
         offset = pointer.point - self._press.point
@@ -103,7 +104,8 @@ class MovePoints:
         if pointer.ctrl:
             offset[int(np.argmin(np.abs(offset)))] = 0.0
         elif not pointer.shift:
-            self.snapped = self._snapper(self._grabbed + offset, drawing, pointer.plane, self._moving)
+            still = self._gesture.before
+            self.snapped = self._snapper(self._grabbed + offset, still, pointer.plane, self._moving)
             if self.snapped is not None:
                 offset = self.snapped.point - self._grabbed
         self._gesture.preview(self._held.at(self._held.places + offset))

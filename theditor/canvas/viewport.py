@@ -10,6 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 
 
+def inside(points: Floats, low: Floats, high: Floats) -> NDArray[np.intp]:
+    """Which points (n, 2) lie between two corners (2,), ascending."""
+    x, y = points.T
+    return np.flatnonzero((x >= low[0]) & (x <= high[0]) & (y >= low[1]) & (y <= high[1]))
+
+
 @dataclass(frozen=True)
 class Viewport:
     """The visible part of the plane, y upward, with the same scale on both axes.

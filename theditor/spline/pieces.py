@@ -45,6 +45,14 @@ def with_free_ends(curve: Curve) -> Curve:
     return curve.with_(control_points=points, lambdas=lambdas, ends="free")
 
 
+def stretch(curve: Curve, first: int, last: int) -> Curve:
+    """Return an open curve with free ends that consists of segments `first` to `last` of a curve alone."""
+    free = with_free_ends(curve)
+    begin = first + free.first_segment - 1
+    where = np.arange(begin, begin + last - first + curve.degree + 1) % len(free.control_points)
+    return Curve(free.control_points[where], free.lambdas[where], curve.degree)
+
+
 def split(curve: Curve, u: float) -> Split:
     """Return the two parts of an open curve before and after a joint, both with free ends; this is exact.
 

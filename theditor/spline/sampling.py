@@ -217,7 +217,9 @@ def intervals_for(
     if segments is None:
         return intervals_within(curve.turning, tolerance, most)
     chosen = clean_indices(segments, curve.segment_count, "segment")
-    return intervals_within(enclosures.turning(joints.take_segments(curve, chosen), curve.degree), tolerance, most)
+    return intervals_within(
+        enclosures.turning(joints.take_segments(curve, chosen), curve.degree), tolerance, most
+    )
 
 
 def sample_adaptively(

@@ -53,4 +53,5 @@ def uniform_segments(curve: Curve, segments: NDArray[np.intp], per_segment: int 
     else:
         weights = np.stack((1 - t, t, (1 - t) ** 3 / 6, t**3 / 6))
     features = np.stack((parts.start, parts.end, parts.bend_start, parts.bend_end), axis=-1)
-    return np.matmul(features, weights).transpose(1, 2, 0)
+    points: Floats = np.matmul(features, weights)
+    return points.transpose(1, 2, 0)

@@ -1,0 +1,123 @@
+"""Level of detail: the lines in place of segments stay with the curves, and none that shows is missing."""
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from theditor.canvas.chords import MIXED, ChordTree
+from theditor.spline import INTERPOLATING, Curve
+
+coordinates = st.floats(-6, 8)
+WINDOW = np.array([-3.0, -2.5]), np.array([4.0, 5.0])
+
+
+@st.composite
+def curves(draw):
+    degree = draw(st.sampled_from([2, 3]))
+    count = draw(st.integers(degree + 1, 24))
+    rng = np.random.default_rng(draw(st.integers(0, 2**32)))
+    points = rng.normal(scale=0.4, size=(count, 2)).cumsum(axis=0)
+    lambdas = rng.choice([0.0, 0.0, 1.0, INTERPOLATING[degree], -16.0, 10.0], count)
+    ends = draw(st.sampled_from(["free", "clamped"]))
+    return Curve(points, lambdas, degree=degree, closed=draw(st.booleans()), ends=ends)
+
+
+drawings = st.lists(curves(), max_size=3)
+tolerances = st.sampled_from([1e-3, 0.02, 0.3, 5.0])
+
+
+def distances(points, lines):
+    """How far each point is from the nearest line."""
+    start, along = lines[:, :2], lines[:, 2:] - lines[:, :2]
+    away = points[:, None] - start
+    squares = np.maximum((along**2).sum(axis=1), 1e-300)
+    t = ((away * along).sum(axis=2) / squares).clip(0, 1)
+    return np.hypot(*np.moveaxis(away - t[..., None] * along, -1, 0)).min(axis=1, initial=np.inf)
+
+
+def points_of(curve):
+    return curve(np.linspace(0, curve.segment_count, 6 * curve.segment_count + 1))
+
+
+@given(drawings, tolerances)
+def test_lines_and_curves_are_within_the_tolerance_of_each_other(drawing, tolerance):
+    chords = ChordTree(drawing).chords(*WINDOW, tolerance)
+    for place, curve in enumerate(drawing):
+        lines = chords.lines[chords.curves == place]
+        points = points_of(curve)
+        inside = ((points > WINDOW[0]) & (points < WINDOW[1])).all(axis=1)
+        assert (distances(points[inside], lines) <= tolerance + 1e-9).all()
+        middles = (lines[:, :2] + lines[:, 2:]) / 2
+        pieces = np.hstack([points[:-1], points[1:]])
+        grain = np.hypot(*(pieces[:, 2:] - pieces[:, :2]).T).max()
+        assert (distances(middles, pieces) <= tolerance + grain).all()
+
+
+@given(drawings, tolerances, st.data())
+def test_a_tree_that_follows_an_edit_is_the_tree_made_anew(drawing, tolerance, data):
+    tree = ChordTree(drawing)
+    new = list(drawing)
+    for place in range(len(new)):
+        curve = new[place]
+        index = data.draw(st.integers(0, len(curve.control_points) - 1))
+        if data.draw(st.booleans()):
+            new[place] = curve.with_points([index], [data.draw(st.tuples(coordinates, coordinates))])
+        else:
+            new[place] = curve.with_lambdas([index], [data.draw(st.floats(-16, 10))])
+    if tree.follow(new):
+        now, anew = tree.chords(*WINDOW, tolerance), ChordTree(new).chords(*WINDOW, tolerance)
+        assert now.lines.shape == anew.lines.shape
+        assert np.abs(now.lines - anew.lines).max(initial=0.0) < 1e-9
+        assert (now.codes == anew.codes).all()
+        assert (now.segments == anew.segments).all()
+
+
+def test_an_edit_of_a_long_curve_is_followed():
+    rng = np.random.default_rng(1)
+    curve = Curve(rng.normal(size=(1000, 2)).cumsum(axis=0), rng.choice([0.0, 1.0], 1000))
+    tree = ChordTree([curve])
+    assert tree.follow([curve.with_points(range(10, 60), rng.normal(size=(50, 2)))])
+    assert not tree.follow([curve.with_(closed=True)])
+    assert not tree.follow([curve, curve])
+
+
+@given(drawings, tolerances)
+def test_a_line_over_several_segments_has_their_mode_where_that_counts(drawing, tolerance):
+    chords = ChordTree(drawing).chords(*WINDOW, tolerance, by_mode=0)
+    own = chords.curves == 0
+    assert MIXED not in chords.codes[own]
+    for segment, code in zip(chords.segments[own], chords.codes[own], strict=True):
+        assert drawing[0].mode_codes[segment] == code
+
+
+@given(drawings, tolerances, st.data())
+def test_segments_left_out_are_not_drawn_and_the_others_are(drawing, tolerance, data):
+    tree, gone = ChordTree(drawing), {}
+    for place, curve in enumerate(drawing):
+        chosen = data.draw(st.sets(st.integers(0, curve.segment_count - 1)))
+        gone[place] = np.array(sorted(chosen), dtype=np.intp)
+    rest = tree.chords(*WINDOW, tolerance, without=gone)
+    for place, curve in enumerate(drawing):
+        assert not np.isin(rest.segments[rest.curves == place], gone[place]).any()
+        kept = np.setdiff1d(np.arange(curve.segment_count), gone[place])
+        points = curve((kept[:, None] + np.linspace(0.01, 0.99, 8)).ravel())
+        inside = ((points > WINDOW[0]) & (points < WINDOW[1])).all(axis=1)
+        assert (distances(points[inside], rest.lines[rest.curves == place]) <= tolerance + 1e-9).all()
+
+
+@given(curves(), tolerances)
+def test_parameters_tell_where_a_line_begins_and_ends(curve, tolerance):
+    chords = ChordTree([curve]).chords(*WINDOW, tolerance, whole=True)
+    for column, ends in ((0, chords.lines[:, :2]), (1, chords.lines[:, 2:])):
+        u = np.minimum(chords.segments + chords.parameters[:, column], curve.segment_count)
+        assert np.abs(curve(u) - ends).max(initial=0.0) < 1e-9
+
+
+@given(curves())
+def test_segments_in_view_are_those_with_points_in_view_and_few_more(curve):
+    seen = ChordTree([curve]).seen(0, *WINDOW)
+    for segment in range(curve.segment_count):
+        points = curve(np.minimum(segment + np.linspace(0, 1, 20), curve.segment_count - 1e-12))
+        if ((points > WINDOW[0]) & (points < WINDOW[1])).all(axis=1).any():
+            assert segment in seen
+    assert len(ChordTree([curve]).seen(0, np.array([90.0, 90.0]), np.array([99.0, 99.0]))) == 0

@@ -1,0 +1,172 @@
+"""What stands still is painted once, what moves on every frame: how a drag costs the same on any drawing.
+
+Two pictures of the drawing are kept: one, opaque, of what lies below the curves (ground, grid, polygons, comb,
+halos), one of the curves and what lies above them (joints, signs, handles). A frame shows the first, paints
+what is alive, shows the second, and paints what is above all: what is selected, what is under the pointer, what
+the hand is about to do. The pictures are painted anew only when something that they show has changed: the view,
+the theme, the drawing. As long as a gesture is under way they show the drawing before it, less the segments,
+edges, joints and handles that differ from it now. Those are alive, painted by the same functions as all others.
+
+Painting the pictures takes as many lines as the eye can tell apart (`chords`, `handles.detail`), so panning and
+zooming, where nothing stands still, does not depend much on the size of the drawing either.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QFont, QPainter, QPixmap
+
+from theditor.canvas.curves import CurvesPainter, paint_ghost, paint_segments
+from theditor.canvas.handles import Detail, detail
+from theditor.canvas.labels import MOST
+from theditor.canvas.part import Part, changed_parts, no_part
+from theditor.canvas.picture import (
+    Frame,
+    Piece,
+    Shown,
+    paint_above,
+    paint_behind,
+    paint_below,
+    paint_ground,
+    paint_hand,
+    paint_names,
+)
+from theditor.canvas.projection import projected
+from theditor.canvas.viewport import Viewport
+from theditor.drawing import Drawing
+from theditor.model import Colours
+from theditor.spline import Curve
+
+MOST_ALIVE = 20_000
+"""When more segments than this move, they are painted like those that stand still."""
+
+
+class Still(NamedTuple):
+    """All that the kept pictures depend on, besides what is left out of them."""
+
+    drawing: Drawing
+    current: int
+    held: tuple[int, ...]
+    segments: frozenset[int]
+    plane: Viewport
+    shown: Shown
+    colours: Colours
+    font: QFont
+    ratio: float
+
+
+class Layers:
+    """Paints frames, and keeps between them the pictures of what stands still."""
+
+    def __init__(self, curves: CurvesPainter) -> None:
+        self._curves = curves
+        self._still: Still | None = None
+        self._alive: dict[int, Part] = {}
+        self._details: dict[int, Detail] = {}
+        self._below, self._above = QPixmap(), QPixmap()
+
+    def paint(self, painter: QPainter, frame: Frame) -> None:
+        """Paint a frame."""
+        settled, alive = _told_apart(frame)
+        held = frame.held if frame.has_current else ()
+        still = Still(
+            settled,
+            frame.current if frame.has_current else -1,
+            held,
+            frame.segments,
+            frame.plane,
+            frame.shown,
+            frame.colours,
+            frame.font,
+            painter.device().devicePixelRatioF(),
+        )
+        self._curves.update(settled)
+        now = {i: projected(frame.drawing[i].curve) for i in alive if frame.drawing[i].visible}
+
+        def seen(index: int) -> Curve:
+            return now.get(index) or self._curves.plane_curve(index)
+
+        self._keep(still, {i: alive[i] for i in now}, frame)
+        painter.drawPixmap(0, 0, self._below)
+        paint_behind(painter, frame, seen)
+        pieces = [self._piece(frame, i, seen(i), self._alive[i]) for i in held if i in self._alive]
+        if frame.shown.ghost and frame.before is not None:
+            for index, part in self._alive.items():
+                paint_ghost(
+                    painter, self._curves.plane_curve(index), part.segments, frame.plane, frame.colours
+                )
+        for piece in pieces:
+            paint_below(painter, frame, piece)
+        for index in sorted(self._alive, key=lambda i: i == frame.current):
+            by_mode = index == still.current and frame.shown.modes
+            item, segments = frame.drawing[index], self._alive[index].segments
+            paint_segments(painter, item, seen(index), segments, frame.plane, frame.colours, by_mode=by_mode)
+        painter.drawPixmap(0, 0, self._above)
+        for piece in pieces:
+            paint_above(painter, frame, piece)
+        paint_hand(painter, frame, seen)
+        if still.current in self._details and frame.shown.labels:
+            part = self._alive.get(still.current) or no_part(seen(still.current))
+            if self._details[still.current].points <= MOST + len(part.points):
+                segments = self._curves.seen(still.current, frame.plane)
+                paint_names(painter, frame, seen(still.current), np.union1d(segments, part.segments))
+
+    def _keep(self, still: Still, alive: dict[int, Part], frame: Frame) -> None:
+        """Paint the kept pictures anew unless they show what stands still, without what is alive."""
+        left_out = all(i in self._alive and self._alive[i].holds(part) for i, part in alive.items())
+        over = frame.before is None and self._alive
+        if still == self._still and left_out and not over:
+            return
+        if self._still is not None and still.drawing is self._still.drawing and alive:
+            for i, part in self._alive.items():
+                alive[i] = part.united(curve := still.drawing[i].curve, alive.get(i) or no_part(curve))
+        self._still, self._alive = still, alive
+        size = QSize(round(still.plane.width * still.ratio), round(still.plane.height * still.ratio))
+        if self._below.size() != size:
+            self._below, self._above = QPixmap(size), QPixmap(size)
+        self._details = {}
+        pieces = []
+        for index in still.held:
+            curve = self._curves.plane_curve(index)
+            segments = self._curves.seen(index, still.plane)
+            self._details[index] = detail(curve, still.plane, segments)
+            part = (alive.get(index) or no_part(curve)).rest(curve, segments)
+            pieces.append(self._piece(frame, index, curve, part))
+        for picture in (self._below, self._above):
+            picture.setDevicePixelRatio(still.ratio)
+        painter = QPainter(self._below)
+        paint_ground(painter, frame)
+        for piece in pieces:
+            paint_below(painter, frame, piece)
+        painter.end()
+        self._above.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(self._above)
+        self._curves.paint(
+            painter,
+            still.drawing,
+            still.current,
+            still.plane,
+            still.colours,
+            by_mode=still.shown.modes,
+            without={i: part.segments for i, part in alive.items()},
+        )
+        for piece in pieces:
+            paint_above(painter, frame, piece)
+        painter.end()
+
+    def _piece(self, frame: Frame, index: int, curve: Curve, part: Part) -> Piece:
+        reference = self._curves.plane_curve(index)
+        return Piece(curve, reference, part, self._details[index], index == frame.current)
+
+
+def _told_apart(frame: Frame) -> tuple[Drawing, dict[int, Part]]:
+    """The drawing that stands still, and the parts that are alive, by the curve."""
+    if frame.before is None or frame.before is frame.drawing:
+        return frame.drawing, {}
+    parts = changed_parts(frame.before, frame.drawing)
+    if parts is None or sum(len(part.segments) for part in parts.values()) > MOST_ALIVE:
+        return frame.drawing, {}
+    return frame.before, parts
