@@ -26,8 +26,9 @@ HIDDEN = 6.0
 """A joint this near to its control point's handle, in pixels, lies under it."""
 LEAST_JOINT_SPACING = 12.0
 """Joints nearer to each other than this many pixels are not marked."""
-LEAST_HANDLE_SPACING = 8.0
-"""Handles nearer to each other than this many pixels hide the curve and are not shown, unless selected."""
+SQUARE = 16.0
+MOST_IN_SQUARE = 1.5
+"""More handles than this in each occupied square of `SQUARE` pixels hide the curve, and are not shown unless selected."""
 PROBES = 2000
 """So many distances tell how near points lie to each other."""
 FEW = 30
@@ -65,12 +66,19 @@ def detail(curve: Curve, viewport: Viewport, visible: Ints) -> Detail:
     """What can be told apart in a view that shows some segments of a plane curve."""
     points = points_inside(curve.control_points, viewport)
     counts = len(points), len(visible)
-    if len(points) > FEW and _spacing(curve.control_points[points], viewport) < LEAST_HANDLE_SPACING:
+    if len(points) > FEW and _crowd(viewport.to_pixels(curve.control_points[points])) > MOST_IN_SQUARE:
         return Detail(*counts, handles=False, dashed=False, joints=False)
     meetings = curve(np.unique(np.concatenate([visible, visible + 1])))
     meetings = meetings[points_inside(meetings, viewport)]
     crowded = len(meetings) > 1 and _spacing(meetings, viewport) < LEAST_JOINT_SPACING
     return Detail(*counts, handles=True, dashed=len(visible) <= MOST_DASHED, joints=not crowded)
+
+
+def _crowd(pixels: Floats) -> float:
+    """How many of some places share a square on average, of those squares that have any."""
+    columns, rows = np.floor((pixels - pixels.min(axis=0)) / SQUARE).astype(np.intp).T
+    width = int(columns.max()) + 1
+    return len(pixels) / np.count_nonzero(np.bincount(rows * width + columns))
 
 
 def _spacing(points: Floats, viewport: Viewport) -> float:
