@@ -7,12 +7,14 @@ import signal
 import subprocess
 import sys
 from datetime import datetime, timedelta
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QItemSelectionModel
 from PySide6.QtWidgets import QApplication, QMessageBox
 
+from theditor.app.ending import prepare_end
 from theditor.app.problems import catch_everything
 from theditor.app.recover_dialog import RecoverDialog, offer_after_crash
 from theditor.drawing import DrawingError, load, save
@@ -93,7 +95,7 @@ def test_what_was_discarded_can_be_recovered_for_some_days(window, hand, answer,
     words = dialog.list.item(0).text()
     kept_until = datetime.now() + timedelta(days=DAYS)
     assert words.startswith(f"mine\nin {tmp_path}\n")
-    assert f"discarded, kept until {kept_until:%d %B}" in words
+    assert f"discarded, kept until {kept_until.day} {kept_until:%B}" in words
     dialog.accept()
     assert window.document.drawing == mine
     assert window.document.path == path
@@ -238,6 +240,26 @@ def test_an_error_inside_keeps_the_work_at_once(window, hand, monkeypatch, data)
     assert "a bug" in window.messages.text
     window.recovery.flush()
     assert load(next(data.glob("*.json"))) == window.document.drawing
+
+
+def test_the_end_of_the_session_asks_nothing_and_loses_nothing(window, hand, answer, data):
+    asked = answer(QMessageBox.StandardButton.Cancel)
+    hand.drag(P5, (1.4, 2.0))
+    hints = []
+    prepare_end(SimpleNamespace(setRestartHint=hints.append))
+    hand.drag((1.4, 2.0), (1.6, 2.0))  # the session went on after all
+    window.close()
+    assert (len(asked), window.isVisible()) == (1, True)
+
+    hand.press((1.6, 2.0))
+    hand.move((1.8, 2.0))  # even this is kept
+    prepare_end(SimpleNamespace(setRestartHint=hints.append))
+    mine = window.document.drawing
+    assert window.close()
+    assert len(asked) == 1
+    left = kept_work()
+    assert [work.read() for work in left] == [mine]
+    assert left[0].about.discarded is None
 
 
 def test_recovered_work_on_a_file_that_changed_since_is_asked_about(window, hand, qtbot, tmp_path):

@@ -19,7 +19,7 @@ class Ending(QObject):
 
     def __init__(self, app: QApplication) -> None:
         super().__init__(app)
-        app.commitDataRequest.connect(self._end_session)
+        app.commitDataRequest.connect(prepare_end)
         # Python runs its handlers only between its own instructions; the byte in the socket wakes Qt.
         self._ours, self._theirs = socket.socketpair()
         self._ours.setblocking(False)
@@ -39,10 +39,12 @@ class Ending(QObject):
             window.close()
         QApplication.exit(128 + number)
 
-    def _end_session(self, manager: QSessionManager) -> None:
-        manager.setRestartHint(QSessionManager.RestartHint.RestartNever)
-        for window in open_windows:
-            window.files.expect_end()
+
+def prepare_end(manager: QSessionManager) -> None:
+    """The session ends, unless another program objects: keep all work, and ask nothing when windows are closed."""
+    manager.setRestartHint(QSessionManager.RestartHint.RestartNever)
+    for window in open_windows:
+        window.files.expect_end()
 
 
 def _once(number: int, _frame: object) -> None:

@@ -84,8 +84,7 @@ class Outside:
         if other is not None:
             answers.insert(0, ("Go to that window", other.come_to_front))
         self._tell(
-            f"{_name(path)} is open in {_described(owner)}, too. What one of them saves, the other one shows, "
-            "or is asked about if it has unsaved changes.",
+            f"{_name(path)} is open in {_described(owner)}, too. Each shows what the other saves, or asks.",
             *answers,
         )
 

@@ -45,7 +45,8 @@ class MessageBar(QFrame):
         """Show `text` in place of what was told before, with a button for each answer: its words and what it does."""
         for button in self._answers:
             self._layout.removeWidget(button)
-            button.deleteLater()
+            button.hide()
+            button.deleteLater()  # it may be the one that is being pressed
         self._answers = [self._answer(*answer) for answer in answers]
         self._label.setText(text)
         self.setAccessibleName(text)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from datetime import timedelta
+from datetime import datetime, timedelta
 from typing import TYPE_CHECKING, NamedTuple
 
 from PySide6.QtCore import QSize, Qt
@@ -29,9 +29,7 @@ if TYPE_CHECKING:
 PICTURE = QSize(132, 88)
 
 
-_AFTER_CRASH = (
-    "The program ended before this was saved. What you recover opens as it was, and is still to be saved."
-)
+_AFTER_CRASH = "The program ended before this was saved. What you recover is still to be saved."
 _ALL = f"What was not saved when the program ended, and what was discarded in the last {DAYS} days."
 
 
@@ -121,12 +119,13 @@ class RecoverDialog(QDialog):
         self.discard_button = buttons.addButton("Discard", role.ResetRole)
         buttons.addButton("Keep for later", role.RejectRole)
         self.recover_button = buttons.addButton("Recover", role.AcceptRole)
-        self.recover_button.setDefault(True)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
         layout.setSpacing(GAP)
         for widget in (about, self.list, buttons):
             layout.addWidget(widget)
+        self.recover_button.setDefault(True)
+        self.list.setFocus()
 
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
@@ -194,7 +193,11 @@ class RecoverDialog(QDialog):
 def _words(work: KeptWork) -> str:
     about = work.about
     file = f"in {shown(about.path.parent)}" if about.path else "never saved"
-    when = f"{work.time:%A, %d %B, %H:%M}"
+    when = f"{work.time:%A}, {_day(work.time)}, {work.time:%H:%M}"
     if about.discarded:
-        when += f" · discarded, kept until {about.discarded + timedelta(days=DAYS):%d %B}"
+        when += f" · discarded, kept until {_day(about.discarded + timedelta(days=DAYS))}"
     return f"{shown(about.title)}\n{file}\n{when}"
+
+
+def _day(time: datetime) -> str:
+    return f"{time.day} {time:%B}"
