@@ -199,7 +199,7 @@ def test_a_disk_without_room_is_told_once_and_editing_goes_on(window, prompt, ha
     def full(*_, **__):
         raise DrawingError("the disk is full.")
 
-    monkeypatch.setattr("theditor.model.kept_work.save", full)
+    monkeypatch.setattr("theditor.model.kept_work.write_atomically", full)
     with qtbot.waitSignal(window.recovery.failed):
         hand.drag(P5, (1.4, 2.0))
     assert "cannot be kept" in window.announced

@@ -2,7 +2,7 @@
 
 from theditor.drawing.change import Change, difference
 from theditor.drawing.drawing import Drawing, DrawingError, Item
-from theditor.drawing.schema import decode, encode, json_schema
+from theditor.drawing.schema import decode, encode, encode_in_parts, json_schema
 from theditor.drawing.storage import fingerprint, load, save, shown, unreadable, write_atomically
 
 __all__ = [
@@ -13,6 +13,7 @@ __all__ = [
     "decode",
     "difference",
     "encode",
+    "encode_in_parts",
     "fingerprint",
     "json_schema",
     "load",

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
 import msgspec
@@ -30,6 +31,8 @@ from theditor.spline.basis import Floats
 
 FORMAT = "theditor"
 VERSION = 1
+_PART = 2048
+"""Points in a part of the text: about a millisecond's work."""
 
 # Patterns in the dialect that JSON Schema and Python share; the lengths keep out a last newline, which $ lets pass.
 _ONE_LINE = r"^(?![\s\S]*[\u0000-\u001f\u007f-\u009f\u2028\u2029])"
@@ -143,28 +146,42 @@ def encode(drawing: Drawing) -> bytes:
 
     Decoding gives back the same values bit for bit, and encoding those the same bytes.
     """
-    curves = ",\n".join(_curve_text(item) for item in drawing)
-    body = f"\n{curves}\n " if curves else ""
-    return f'{{"format": "{FORMAT}", "version": {VERSION},\n "curves": [{body}]}}\n'.encode()
+    return b"".join(encode_in_parts(drawing))
 
 
-def _curve_text(item: Item) -> str:
+def encode_in_parts(drawing: Drawing) -> Iterator[bytes]:
+    """Yield what `encode` returns in parts of some thousand points, between which a thread can let others work."""
+    yield f'{{"format": "{FORMAT}", "version": {VERSION},\n "curves": ['.encode()
+    for index, item in enumerate(drawing):
+        yield b",\n" if index else b"\n"
+        yield from _curve_in_parts(item)
+    yield b"\n ]}\n" if drawing else b"]}\n"
+
+
+def _curve_in_parts(item: Item) -> Iterator[bytes]:
     curve = item.curve
     name, ends, color = (json.dumps(text, ensure_ascii=False) for text in (item.name, curve.ends, item.color))
     closed, visible, locked = (json.dumps(bool(flag)) for flag in (curve.closed, item.visible, item.locked))
-    points = _numbers(curve.control_points).replace(",", ", ").replace("], ", "],\n    ")
-    lambdas = _numbers(curve.lambdas).replace(",", ",\n    ")
-    return (
+    yield (
         f'  {{"name": {name}, "degree": {curve.degree}, "closed": {closed}, "ends": {ends},\n'
-        f'   "points": [\n    {points}\n   ],\n'
-        f'   "lambda": [\n    {lambdas}\n   ],\n'
-        f'   "style": {{"color": {color}, "width": {item.width!r}}}, '
+        '   "points": [\n    '
+    ).encode()
+    for text in _numbers(curve.control_points):
+        yield text.replace(b",", b", ").replace(b"], ", b"],\n    ")
+    yield b'\n   ],\n   "lambda": [\n    '
+    for text in _numbers(curve.lambdas):
+        yield text.replace(b",", b",\n    ")
+    yield (
+        f'\n   ],\n   "style": {{"color": {color}, "width": {item.width!r}}}, '
         f'"visible": {visible}, "locked": {locked}}}'
-    )
+    ).encode()
 
 
-def _numbers(array: Floats) -> str:
-    return msgspec.json.encode(array.tolist()).decode()[1:-1]
+def _numbers(array: Floats) -> Iterator[bytes]:
+    """The rows of an array as a JSON list without its brackets, in parts."""
+    for start in range(0, len(array), _PART):
+        rows = msgspec.json.encode(array[start : start + _PART].tolist())[1:-1]
+        yield rows + b"," if start + _PART < len(array) else rows
 
 
 def decode(data: bytes) -> Drawing:

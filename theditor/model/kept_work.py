@@ -5,17 +5,20 @@ from __future__ import annotations
 import json
 import os
 import secrets
+import time
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 from pathlib import Path
 
-from theditor.drawing import Drawing, load, save, write_atomically
+from theditor.drawing import Drawing, encode_in_parts, load, write_atomically
 from theditor.model.data_folder import data_folder, lock_at
 
 DAYS = 7
 """How long discarded work can be recovered."""
+REST = 0.001
+"""Seconds between parts of a drawing that is written, each about as long in the making."""
 
 
 @dataclass(frozen=True)
@@ -65,9 +68,16 @@ class KeptWork:
         self._lock.unlock()
 
     def write(self, drawing: Drawing, about: About) -> None:
-        """Keep a drawing in place of the one before; raises `DrawingError` or OSError if that is impossible."""
+        """Keep a drawing in place of the one before; raises `DrawingError` if that is impossible.
+
+        It takes its time, so that a hand at work in another thread feels nothing.
+        """
         self._write_about(about)
-        save(drawing, self.path, overwrite=True)
+        parts = []
+        for part in encode_in_parts(drawing):
+            parts.append(part)
+            time.sleep(REST)
+        write_atomically(self.path, b"".join(parts))
 
     def discard(self) -> None:
         """Note that it was given up now: in some days `kept_work` removes it."""
