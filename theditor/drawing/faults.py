@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator
+from itertools import islice
 
 from theditor.drawing.drawing import DrawingError
 
@@ -22,15 +23,18 @@ class FaultError(Exception):
         What is said of it, without the full stop.
     key
         The key of the object at the path that is to be pointed to, instead of the whole object.
+    again
+        Whether the second such key is meant.
     """
 
-    def __init__(self, path: str, saying: str, key: str | None = None) -> None:
-        self.path, self.saying, self.key = path, saying, key
+    def __init__(self, path: str, saying: str, key: str | None = None, again: bool = False) -> None:
+        self.path, self.saying, self.key, self.again = path, saying, key, again
 
     def located(self, text: str) -> DrawingError:
         """Return the fault as an error, with the place in a text where it was found."""
-        place = _offset(text, self.path, self.key)
-        where = "" if place is None or not self.path + (self.key or "") else f" ({position(text, place)})"
+        pointed = self.path != "" or self.key is not None
+        place = _offset(text, self.path, self.key, self.again) if pointed else None
+        where = "" if place is None else f" ({position(text, place)})"
         return DrawingError(f"{self.path or 'The file'}{where} {self.saying}.")
 
     def unlocated(self) -> DrawingError:
@@ -52,7 +56,7 @@ def refuse_duplicate_keys(text: str) -> None:
     """Raise a `FaultError` for a key given twice in a valid JSON text; JSON libraries silently keep the last."""
     outline = json.loads(_NUMBERS.sub("0", text), object_pairs_hook=tuple)
     for path, key in _duplicate_keys(outline, ""):
-        raise FaultError(path, f"has the field {quoted(key)} twice", key)
+        raise FaultError(path, f"has the field {quoted(key)} twice", key, again=True)
 
 
 # Lists of numbers hold no keys, and are nearly the whole of a file.
@@ -77,18 +81,24 @@ _SPACE = re.compile(r"[ \t\r\n]*")
 _scan = json.JSONDecoder(parse_int=str, parse_float=str).raw_decode
 
 
-def _offset(text: str, path: str, key: str | None) -> int | None:
-    """Return where the value at a path begins in a JSON text, or the last such key of the object there."""
+def _offset(text: str, path: str, key: str | None, again: bool) -> int | None:
+    """Return where the value at a path begins in a JSON text, or the first or second such key of the object there."""
     try:
         place = _skip(text, 0)
         for name, index in re.findall(r"(\w+)|\[(\d+)\]", path):
             if name:
-                place = [value for _, found, value in _fields(text, place) if found == name][-1]
+                place = next(value for _, found, value in _fields(text, place) if found == name)
             else:
                 place = _element(text, place, int(index))
         if key is not None:
-            place = [start for start, found, _ in _fields(text, place) if found == key][-1]
-    except (LookupError, ValueError, RecursionError):  # the text breaks off, or is not what the path says
+            starts = (start for start, found, _ in _fields(text, place) if found == key)
+            place = next(islice(starts, again, None))
+    except (
+        LookupError,
+        ValueError,
+        RecursionError,
+        StopIteration,
+    ):  # the text breaks off, or is not what the path says
         return None
     return place
 
