@@ -212,7 +212,7 @@ FAULTS = [
             f'"version": {value}',
             "version (line 1, column 35) must be a whole number such as 1.",
         )
-        for value in ("true", "0", "1.0", "1e400", '"1"', HUGE)
+        for value in ("true", "0", "1.0", "1e400", '"1"', "[1e400]", HUGE)
     ),
     (MINIMAL, "[1, 2]", "The file must be an object with format, version and curves."),
     ("[\n", "{}\n,", "The text is not JSON: object keys must be strings at line 2, column 3."),

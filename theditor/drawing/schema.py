@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
 import msgspec
-from msgspec import Meta, Struct, field
+from msgspec import Meta, Raw, Struct, field
 
 from theditor.drawing import migrations
 from theditor.drawing.drawing import (
@@ -104,8 +104,8 @@ class File(Struct, forbid_unknown_fields=True):
 class _Header(Struct):
     """What every version of the file has; read first, so that a newer file is refused by its number."""
 
-    format: Any = msgspec.UNSET
-    version: Any = msgspec.UNSET
+    format: Raw = Raw()
+    version: Raw = Raw()
 
 
 # What belongs at each place, for the reader of a message; list positions are left out.
@@ -227,14 +227,15 @@ def _text(data: bytes) -> str:
 
 def _version(header: _Header) -> int:
     """Return a version that can be read."""
-    if header.format is msgspec.UNSET:
+    form, version_text = bytes(header.format), bytes(header.version)
+    if not form:
         raise FaultError("", 'must have the field "format": this is not a drawing of this program')
-    if header.format != FORMAT:
+    if form != f'"{FORMAT}"'.encode():
         raise FaultError("format", f"must be {_EXPECTED['format']}")
-    version, oldest = header.version, min(migrations.STEPS, default=VERSION)
-    if version is msgspec.UNSET:
+    if not version_text:
         raise FaultError("", 'must have the field "version"')
-    if type(version) is not int or not oldest <= version < 10**9:
+    version = int(version_text) if re.fullmatch(rb"\d{1,9}", version_text) else -1
+    if version < min(migrations.STEPS, default=VERSION):
         raise FaultError("version", f"must be {_EXPECTED['version']}")
     if version > VERSION:
         raise FaultError(
