@@ -39,7 +39,9 @@ class Options:
     show
         What a picture shows besides the curves: any of `PARTS`.
     print_style
-        Whether a picture is drawn as in a paper: black, every mode of segments with dashes of its own.
+        Whether a picture is drawn as in a paper: black, with polygon, points and labels, and every mode of
+        segments with dashes of its own: trigonometric ones whole, hyperbolic ones dashed, interpolating ones
+        dash-dotted, blends dotted.
     sampling
         Where a CSV takes its points: at equal steps of the parameter, at equal arc lengths, or as sparsely as
         chords within the tolerance allow.

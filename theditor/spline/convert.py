@@ -8,6 +8,7 @@ middle weight cosh ½ (an ellipse's: √½). All else is approximated within a t
 
 from dataclasses import dataclass, replace
 from enum import IntEnum
+from itertools import pairwise
 from math import cosh, sqrt
 from typing import Final
 
@@ -53,6 +54,7 @@ class Outline:
     ends: Floats  # (n + 1, d); of a closed curve the last is the first
     inner: Floats  # (n, 2, d), where of no use zero
     weights: Floats  # (n,), where of no use one
+    segments: NDArray[np.intp]  # (n,) on which segment of the curve each piece starts
     closed: bool
     deviation: float
     """Largest distance between a cubic and the curve, measured, in units of the curve; 0 without cubics."""
@@ -61,6 +63,31 @@ class Outline:
         """Return the outline with every point times `scale` plus `offset`, numbers or one for each coordinate."""
         factor, shift = np.asarray(scale, dtype=np.float64), np.asarray(offset, dtype=np.float64)
         return replace(self, ends=self.ends * factor + shift, inner=self.inner * factor + shift)
+
+    def runs(self, breaks: NDArray[np.bool_]) -> list["Outline"]:
+        """Return the outline in open parts, the first from its start, the others from where a break is.
+
+        Parameters
+        ----------
+        breaks : ndarray, shape (n,)
+            Before which pieces to break. Without any after the first piece it is returned whole.
+        """
+        cuts = np.flatnonzero(breaks[1:]) + 1
+        if not len(cuts):
+            return [self]
+        edges = [0, *cuts.tolist(), len(breaks)]
+        return [
+            Outline(
+                self.kinds[i:j],
+                self.ends[i : j + 1],
+                self.inner[i:j],
+                self.weights[i:j],
+                self.segments[i:j],
+                False,
+                self.deviation,
+            )
+            for i, j in pairwise(edges)
+        ]
 
 
 def outline(
@@ -117,7 +144,7 @@ def outline(
     order = np.lexsort((t, row))
     row = row[order]
     ends = np.concatenate((ends[order], joints[-1:]))
-    pieces = Outline(kinds[row], ends, inner[order], weights[row], curve.closed, found.deviation)
+    pieces = Outline(kinds[row], ends, inner[order], weights[row], row, curve.closed, found.deviation)
     return _merged(pieces)
 
 
@@ -191,4 +218,5 @@ def _chosen(pieces: Outline, kept: NDArray[np.bool_]) -> Outline:
         ends=pieces.ends[np.append(kept, True)],
         inner=pieces.inner[kept],
         weights=pieces.weights[kept],
+        segments=pieces.segments[kept],
     )

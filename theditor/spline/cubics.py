@@ -18,9 +18,9 @@ from theditor.spline.basis import Floats
 from theditor.spline.joints import Segments
 from theditor.spline.turns import grain
 
-_STEPS: Final = 12  # of t on a piece where it is compared with its Bézier
-_FINE_STEPS: Final = 96  # the same on the pieces that deviate most
-_SAFETY: Final = 1.1  # between steps a piece may deviate a little more
+_STEPS: Final = 10  # of t on a piece where it is compared with its Bézier
+_FINE_STEPS: Final = 64  # the same where it matters
+_SAFETY: Final = 1.3  # between steps a piece may deviate by so much more
 _SHARP: Final = 0.96  # cosine of a turn from one step to the next that is not to be measured across
 _DEEPEST: Final = 26  # halvings of a segment
 _STIFFNESS: Final = 1e-9  # of the derivatives' lengths, which decide where a piece is all but straight
@@ -70,9 +70,12 @@ def _block(segments: Segments, degree: int, tolerance: float, first: int) -> Cub
     worst = 0.0
     for depth in range(_DEEPEST + 1):
         inner, off = _fitted(coefficients)
-        good = (off * _SAFETY <= finest[rows]) | (depth == _DEEPEST)
+        limit = finest[rows]
+        _look_closely(off, (off <= limit) & (off * _SAFETY > limit), coefficients, inner)
+        good = (off <= limit) | (depth == _DEEPEST)
         if good.any():
-            worst = max(worst, _closely(coefficients[:, good], inner[:, :, good], off[good]))
+            _look_closely(off, good & (off * _SAFETY >= off[good].max()), coefficients, inner)
+            worst = max(worst, float(off[good].max()))
             start = coefficients[:, good, 0] + origin[:, rows[good]]
             handles = inner[:, :, good] + origin[:, None, rows[good]]
             found.append(Cubics(rows[good] + first, t[good], start.T, handles.transpose(2, 1, 0), worst))
@@ -148,16 +151,15 @@ def _distances(coefficients: Floats, curve: Floats, bezier: Floats, sharp: NDArr
     return near
 
 
-def _closely(coefficients: Floats, inner: Floats, off: Floats) -> float:
-    """Return the largest deviation of some pieces, measured at finer steps where it may be."""
-    worst = float(off.max())
-    chosen = np.flatnonzero(off * _SAFETY >= worst)[:_BLOCK]
-    coefficients, inner = coefficients[:, chosen], inner[:, :, chosen]
-    curve = _derivatives(coefficients, _FINE_STEPS)
-    along = curve[1] / np.maximum(_length(curve[1]), 1e-300)
-    sharp = _sharp(along[..., 0], along, along[..., -1])
-    bezier = _bezier(coefficients[..., 0], inner, coefficients[..., -1], _weights(_FINE_STEPS))
-    return max(worst, float(_distances(coefficients, curve, bezier, sharp).max()))
+def _look_closely(off: Floats, chosen: NDArray[np.bool_], coefficients: Floats, inner: Floats) -> None:
+    """Raise the deviations of chosen pieces to what finer steps find."""
+    if chosen.any():
+        coefficients, inner = coefficients[:, chosen], inner[:, :, chosen]
+        curve = _derivatives(coefficients, _FINE_STEPS)
+        along = curve[1] / np.maximum(_length(curve[1]), 1e-300)
+        sharp = _sharp(along[..., 0], along, along[..., -1])
+        bezier = _bezier(coefficients[..., 0], inner, coefficients[..., -1], _weights(_FINE_STEPS))
+        off[chosen] = np.maximum(off[chosen], _distances(coefficients, curve, bezier, sharp).max(axis=1))
 
 
 def _bezier(start: Floats, inner: Floats, end: Floats, weights: Floats) -> Floats:

@@ -1,0 +1,238 @@
+"""What a picture of a drawing shows, in the drawing's units, whatever draws it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Final, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from theditor.drawing import Drawing, Item
+from theditor.exchange.options import Options
+from theditor.spline import Curve, Outline, bounds, curvature, outline, projected
+
+Floats = NDArray[np.float64]
+
+MM_PER_PIXEL: Final = 25.4 / 96
+"""Widths of curves are in pixels of 1/96 inch."""
+ORDINARY: Final = (120.0, 1200.0)
+"""A picture at a size of its own choice that is shorter or longer than this, in mm, has lines in proportion."""
+BLACK: Final = "#000000"
+POLYGON: Final = "#8793A2"
+COMB: Final = "#7A5AC8"
+THIN: Final = 0.2
+"""Width of the polygon's lines in mm."""
+POINT: Final = 0.75
+"""Radius of a point in mm."""
+LABEL: Final = 3.6
+"""Height of letters in mm."""
+TEETH: Final = 16
+"""Teeth of the comb on each segment."""
+_DASHES: Final[tuple[tuple[float, ...], ...]] = ((), (2.4, 1.2), (2.8, 0.9, 0.5, 0.9), (0.5, 0.8))
+"""In print style, in mm: trigonometric, hyperbolic, interpolating, blend."""
+_PRINTED: Final = frozenset({"polygon", "points", "labels"})
+_TYPICAL: Final = 0.03  # length of a typical tooth, as a share of the drawing's size
+_LONGEST: Final = 0.3  # of the longest one
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """A part of a curve to be drawn in one go."""
+
+    outline: Outline
+    dashes: tuple[float, ...]  # lengths of dashes and gaps in mm, none for a whole line
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Figure:
+    """A curve with what is shown of it; what is not shown is empty."""
+
+    item: Item
+    color: str
+    width: float  # mm
+    strokes: tuple[Stroke, ...]
+    polygon: Floats  # (n, 2)
+    points: Floats  # (m, 2)
+    labels: dict[int, tuple[float, float]]  # the middle of the label of each point that has one
+    teeth: Floats  # (k, 2, 2): feet and tips of the comb
+    crests: tuple[Floats, ...]  # (n, 2) each
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scene:
+    """The visible curves of a drawing at a scale, with the room that they take."""
+
+    figures: tuple[Figure, ...]
+    low: Floats  # (2,) of the picture, margins included
+    high: Floats  # (2,)
+    unit: float
+    """Millimetres for each unit of the drawing."""
+    line: float
+    """By how much lines, points and letters are to be scaled."""
+    deviation: float
+    notes: tuple[str, ...]
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height in millimetres."""
+        width, height = ((self.high - self.low) * self.unit).tolist()
+        return width, height
+
+    def length(self, millimetres: float) -> float:
+        """Return a width or a height of the picture's lines and letters in units of the drawing."""
+        return millimetres * self.line / self.unit
+
+
+def scene(drawing: Drawing, options: Options, *, size: float | None, arcs: bool) -> Scene:
+    """Collect what a picture shows.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    options : Options
+    size : float or None
+        Longer side of the picture in mm; None for 1 mm for each unit.
+    arcs : bool
+        Whether what draws it knows elliptical arcs.
+    """
+    shown = [(item, projected(item.curve)) for item in visible(drawing)]
+    show = options.show | _PRINTED if options.print_style else options.show
+    low, high, extent = box([curve for _, curve in shown])
+    around = [low, high]
+    combs = []
+    for _, curve in shown:
+        teeth, crests = _comb(curve, extent) if "comb" in show else (np.empty((0, 2, 2)), ())
+        combs.append((teeth, crests))
+        around += [teeth.reshape(-1, 2)]
+        if show & {"polygon", "points", "labels"}:
+            around.append(curve.control_points)
+    every = np.vstack(around)
+    low, high = every.min(axis=0), every.max(axis=0)
+    longest = float((high - low).max()) or 1.0
+    line = 1.0
+    if size is None:
+        line = longest / float(np.clip(longest, *ORDINARY))
+    widest = max((item.width for item, _ in shown), default=1.0) * MM_PER_PIXEL
+    margin = (widest + (5.5 if "labels" in show else 1.5)) * line
+    if size is None:
+        unit = 1.0
+    else:
+        margin = min(margin, size / 4)
+        unit = (size - 2 * margin) / longest
+    figures = tuple(
+        _figure(item, curve, options, show, options.tolerance * extent, arcs, line / unit, *comb)
+        for (item, curve), comb in zip(shown, combs, strict=True)
+    )
+    deviation = max((stroke.outline.deviation for each in figures for stroke in each.strokes), default=0.0)
+    notes = (f"1 unit is {unit:.6g} mm.", *remarks(drawing, plane=True))
+    return Scene(figures, low - margin / unit, high + margin / unit, unit, line, deviation, notes)
+
+
+def visible(drawing: Drawing) -> list[Item]:
+    """Return the curves that are not hidden."""
+    return [item for item in drawing if item.visible]
+
+
+def box(curves: Sequence[Curve]) -> tuple[Floats, Floats, float]:
+    """Return the corners of the box around curves of one dimension, and its longer side.
+
+    The longer side is what tolerances are relative to; 1 if there is no extent. Of no curves it is the unit square.
+    """
+    if not curves:
+        return np.zeros(2), np.ones(2), 1.0
+    lows, highs = zip(*(bounds(curve, 1e-6) for curve in curves), strict=True)
+    low, high = np.min(lows, axis=0), np.max(highs, axis=0)
+    return low, high, float((high - low).max()) or 1.0
+
+
+def remarks(drawing: Drawing, *, plane: bool) -> Iterator[str]:
+    """Yield what a format does not show of a drawing, a sentence each."""
+    hidden = len(drawing) - len(visible(drawing))
+    if hidden:
+        yield f"{hidden} hidden {'curve is' if hidden == 1 else 'curves are'} left out."
+    if plane and any(item.curve.dimension == 3 for item in visible(drawing)):
+        yield "Curves in space are drawn as seen from above."
+
+
+def _figure(
+    item: Item,
+    curve: Curve,
+    options: Options,
+    show: frozenset[str],
+    tolerance: float,
+    arcs: bool,
+    millimetre: float,
+    teeth: Floats,
+    crests: tuple[Floats, ...],
+) -> Figure:
+    """Return one curve's figure; a millimetre is given in units of the drawing."""
+    pieces = outline(curve, tolerance, arcs=arcs)
+    none = np.empty((0, 2))
+    if options.print_style:
+        modes = curve.mode_codes[pieces.segments]
+        runs = pieces.runs(np.append(False, modes[1:] != modes[:-1]))
+        strokes = tuple(Stroke(run, _DASHES[curve.mode_codes[run.segments[0]]]) for run in runs)
+    else:
+        strokes = (Stroke(pieces, ()),)
+    return Figure(
+        item,
+        BLACK if options.print_style else item.color,
+        item.width * MM_PER_PIXEL,
+        strokes,
+        curve.polygon if "polygon" in show else none,
+        curve.control_points if "points" in show else none,
+        _labels(curve, millimetre) if "labels" in show else {},
+        teeth,
+        crests,
+    )
+
+
+def _labels(curve: Curve, millimetre: float) -> dict[int, tuple[float, float]]:
+    """Return a place for each point's label, away from the point's neighbours; of several at one place the first."""
+    points = curve.control_points
+    before, after = np.roll(points, 1, axis=0), np.roll(points, -1, axis=0)
+    if not curve.closed:
+        before[0], after[-1] = points[0], points[-1]
+    away = _unit(points - before) + _unit(points - after)
+    lengths = np.linalg.norm(away, axis=1)
+    # In a straight row they go above, or to the left of where it climbs.
+    along = _unit(after - before)
+    row = lengths < 0.2
+    away[row] = np.where(along[row, :1] < 0, -1.0, 1.0) * np.stack((-along[row, 1], along[row, 0]), axis=1)
+    away[row & (np.linalg.norm(along, axis=1) == 0)] = (0.0, 1.0)
+    places = points + 3.6 * millimetre * _unit(away)
+    _, first = np.unique(np.round(places / (2.5 * millimetre)), axis=0, return_index=True)
+    return {
+        index: (x, y)
+        for index, (x, y) in zip(sorted(first.tolist()), places[np.sort(first)].tolist(), strict=True)
+    }
+
+
+def _unit(vectors: Floats) -> Floats:
+    lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    unit: Floats = vectors / np.where(lengths > 0, lengths, 1.0)
+    return unit
+
+
+def _comb(curve: Curve, extent: float) -> tuple[Floats, tuple[Floats, ...]]:
+    """Return teeth, (k, 2, 2), on the outer side of the bend, and the crests that join their tips."""
+    u = np.arange(curve.segment_count)[:, None] + np.arange(TEETH + 1) / TEETH
+    feet, along, bend = (
+        np.concatenate((first, last), axis=1)
+        for first, last in zip(_at(curve, u[:, :-1], "right"), _at(curve, u[:, -1:], "left"), strict=True)
+    )
+    size = np.abs(bend[np.isfinite(bend) & (bend != 0)])
+    if not len(size):
+        return np.empty((0, 2, 2)), ()
+    reach = np.clip(bend * (_TYPICAL * extent / np.median(size)), -_LONGEST * extent, _LONGEST * extent)
+    tips = feet + np.stack((along[..., 1], -along[..., 0]), axis=-1) * reach[..., None]
+    sound = np.isfinite(tips).all(axis=-1)
+    teeth = np.stack((feet[sound], tips[sound]), axis=1)
+    return teeth, tuple(row[good] for row, good in zip(tips, sound, strict=True) if good.sum() > 1)
+
+
+def _at(curve: Curve, u: Floats, side: Literal["left", "right"]) -> tuple[Floats, Floats, Floats]:
+    """Return points, unit tangents and curvatures."""
+    return curve(u, 0, side), _unit(curve(u, 1, side)), curvature(curve, u, side)
