@@ -3,7 +3,7 @@
 from theditor.drawing.change import Change, difference
 from theditor.drawing.drawing import Drawing, DrawingError, Item
 from theditor.drawing.schema import decode, encode, encode_in_parts, json_schema
-from theditor.drawing.storage import fingerprint, load, save, shown, unreadable, write_atomically
+from theditor.drawing.storage import fingerprint, load, read_bytes, save, shown, unreadable, write_atomically
 
 __all__ = [
     "Change",
@@ -17,6 +17,7 @@ __all__ = [
     "fingerprint",
     "json_schema",
     "load",
+    "read_bytes",
     "save",
     "shown",
     "unreadable",

@@ -45,14 +45,25 @@ def load(path: str | os.PathLike[str]) -> Drawing:
     DrawingError
         If the file cannot be read or does not hold a drawing: one sentence with file, place and cause.
     """
-    try:
-        data = _read(Path(path))
-    except (OSError, ValueError) as error:  # ValueError: no path can be spelt so
-        raise DrawingError(f"{shown(path)} cannot be read: {_cause(error)}.") from error
+    data = read_bytes(path)
     try:
         return decode(data)
     except DrawingError as error:
         raise DrawingError(f"{shown(path)}: {error}") from None
+
+
+def read_bytes(path: str | os.PathLike[str]) -> bytes:
+    """Read a whole file, of at most 128 MiB; folders, devices and pipes are refused at once.
+
+    Raises
+    ------
+    DrawingError
+        If the file cannot be read: one sentence with the file and the cause.
+    """
+    try:
+        return _read(Path(path))
+    except (OSError, ValueError) as error:  # ValueError: no path can be spelt so
+        raise DrawingError(f"{shown(path)} cannot be read: {_cause(error)}.") from error
 
 
 def save(drawing: Drawing, path: str | os.PathLike[str], overwrite: bool = False) -> str:
