@@ -1,6 +1,8 @@
 """Curves on the clipboard: within a window, to another, to and from text, tables and pictures."""
 
 import re
+import subprocess
+import sys
 import xml.etree.ElementTree as ET
 
 import numpy as np
@@ -50,6 +52,21 @@ def test_copy_and_paste_puts_the_middle_at_the_pointer(window, hand, qtbot):
     assert window.document.undo_stack.undoText() == "Paste curve"
     window.document.undo()
     assert window.document.drawing == Drawing([item])
+
+
+ENDS = """
+from PySide6.QtGui import QGuiApplication
+from theditor.app.clipboard import carried
+from theditor.drawing import Item
+from theditor.spline import Curve
+
+app = QGuiApplication([])
+QGuiApplication.clipboard().setMimeData(carried([Item(Curve([[0, 0], [1, 1], [2, 0], [3, 1]]))], 1.0))
+"""
+
+
+def test_the_program_ends_in_peace_with_a_curve_on_the_clipboard():
+    assert subprocess.run([sys.executable, "-c", ENDS], timeout=60).returncode == 0
 
 
 def test_away_from_the_canvas_it_is_pasted_into_the_middle_of_the_view(window, hand, qtbot):

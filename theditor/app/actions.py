@@ -178,6 +178,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             can_edit_any,
             places=("curve",),
             gap=True,
+            icon="cut",
         ),
         Command(
             "copy",
@@ -188,6 +189,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             ("Ctrl+C",),
             has_curve,
             places=("point", "segment", "curve"),
+            icon="copy",
         ),
         Command(
             "paste",
@@ -197,6 +199,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             window.clipboard.paste,
             ("Ctrl+V",),
             places=("point", "segment", "ground"),
+            icon="paste",
         ),
         Command(
             "paste_in_place",

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import atexit
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QMimeData
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QStandardItemModel
 from PySide6.QtWidgets import QAbstractSpinBox, QLineEdit
 
 from theditor.app.svg import svg
@@ -115,18 +114,6 @@ class Clipboard:
         self._pointer = pointed.position
 
 
-@atexit.register
-def _let_go() -> None:
-    """Take what is ours off the clipboard: Qt would delete it after Python has ended, and crash."""
-    if QGuiApplication.instance() is not None:
-        clipboard = QGuiApplication.clipboard()
-        data = clipboard.mimeData()
-        # Offscreen Qt says that it owns nothing, even while it does.
-        ours = clipboard.ownsClipboard() or QGuiApplication.platformName() == "offscreen"
-        if ours and data is not None and data.hasFormat(OWN_TYPE):
-            clipboard.clear()
-
-
 def carried(items: Sequence[Item], scale: float) -> QMimeData:
     """Return curves as the clipboard carries them: the drawing's file, the same as text, and a picture.
 
@@ -135,11 +122,23 @@ def carried(items: Sequence[Item], scale: float) -> QMimeData:
     scale
         Pixels of the picture per unit.
     """
-    data = QMimeData()
+    data = _lasting()
     text = encode(Drawing(items))
     data.setData(OWN_TYPE, text)
     data.setData(SVG_TYPE, svg(items, scale))
     data.setText(text.decode())
+    return data
+
+
+def _lasting() -> QMimeData:
+    """Return empty data that Qt made itself.
+
+    What Python makes calls Python when it is deleted; the clipboard keeps its data until Python has ended.
+    """
+    model = QStandardItemModel(1, 1)
+    data: QMimeData = model.mimeData([model.index(0, 0)])
+    for name in data.formats():
+        data.removeFormat(name)
     return data
 
 
