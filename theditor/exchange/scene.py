@@ -136,14 +136,16 @@ def visible(drawing: Drawing) -> list[Item]:
 
 
 def box(curves: Sequence[Curve]) -> tuple[Floats, Floats, float]:
-    """Return the corners of the box around curves of one dimension, and its longer side.
+    """Return the corners of the box around curves, and its longer side.
 
-    The longer side is what tolerances are relative to; 1 if there is no extent. Of no curves it is the unit square.
+    The longer side is what tolerances are relative to; 1 if there is no extent. A plane curve among those in
+    space lies at z = 0. Of no curves it is the unit square.
     """
     if not curves:
         return np.zeros(2), np.ones(2), 1.0
-    lows, highs = zip(*(bounds(curve, 1e-6) for curve in curves), strict=True)
-    low, high = np.min(lows, axis=0), np.max(highs, axis=0)
+    dimension = max(curve.dimension for curve in curves)
+    corners = [np.pad(bounds(curve, 1e-6), ((0, 0), (0, dimension - curve.dimension))) for curve in curves]
+    low, high = np.min(corners, axis=0)[0], np.max(corners, axis=0)[1]
     return low, high, float((high - low).max()) or 1.0
 
 
