@@ -10,9 +10,9 @@ from itertools import groupby
 from typing import Any, Final
 
 import numpy as np
-from ezdxf import new  # type: ignore[attr-defined]
-from ezdxf import options as settings
+from ezdxf._options import options as settings
 from ezdxf.document import Drawing as Document
+from ezdxf.filemanagement import new
 from ezdxf.layouts.layout import Modelspace
 from ezdxf.lldxf import const
 from numpy.typing import NDArray
