@@ -95,7 +95,7 @@ def test_closing_and_opening_keep_the_curve():
     cut = document.drawing[0].curve
     assert not cut.closed
     assert cut(0) == pytest.approx(ring(3), abs=1e-12)
-    assert pieces.close_or_open(document, selection) == "Closed the curve; the shape is the same"
+    assert pieces.close_or_open(document, selection) == "Closed “a”; the shape is the same"
     again = document.drawing[0].curve
     assert np.sort(again.control_points, axis=0) == pytest.approx(np.sort(POINTS, axis=0))
 
@@ -106,6 +106,6 @@ def test_the_degree_changes_with_the_shape_kept_and_its_change_told():
     text = pieces.change_degree(document, selection)
     quadratic = document.drawing[0].curve
     assert quadratic.degree == 2
-    told = float(text.removeprefix("The curve is quadratic now; the shape changed by at most "))
+    told = float(text.removeprefix("Made “a” quadratic; the shape changed by at most "))
     assert on(cubic, quadratic) <= told < 0.5
     assert document.undo_stack.undoText() == "Make curve quadratic"

@@ -8,9 +8,10 @@ from hypothesis import strategies as st
 from PySide6.QtCore import Qt
 
 from theditor.canvas import points as edits
-from theditor.canvas.points import changed, near_edge, takes_the_curve
+from theditor.canvas.points import near_edge, takes_the_curve
 from theditor.drawing import Drawing, Item
 from theditor.model import Document, Selection
+from theditor.model.words import shape_changed
 from theditor.spline import Curve, nearest
 
 POINTS = [[0.0, 0.0], [1.0, 3.0], [3.0, 3.0], [5.0, -1.0], [7.0, 0.0], [8.0, 2.0]]
@@ -153,8 +154,8 @@ def test_corners_are_made_and_taken_away(degree):
 
 def test_words_round_up_and_say_when_nothing_changed():
     shape = Curve(POINTS)
-    assert changed(0.0, shape) == "the shape is the same"
-    assert changed(0.00321, shape) == "the shape changed by at most 0.0033"
+    assert shape_changed(0.0, shape) == "the shape is the same"
+    assert shape_changed(0.00321, shape) == "the shape changed by at most 0.0033"
 
 
 def test_edges_are_found_within_reach():

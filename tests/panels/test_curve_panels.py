@@ -8,7 +8,7 @@ from theditor.drawing import Drawing, Item
 from theditor.model import Document, Selection
 from theditor.panels import CurvePanel, CurvesPanel, SegmentsPanel, ShapePanel
 from theditor.panels.curve_list import eye_rect, lock_rect
-from theditor.spline import INTERPOLATING
+from theditor.spline import INTERPOLATING, nearest
 
 KEY = Qt.Key
 LEFT = Qt.MouseButton.LeftButton
@@ -70,28 +70,36 @@ def test_degree_and_ends_change_the_curve_and_keep_interpolation(panel, document
     assert panel.ends.currentText() == "Open, free ends"
 
 
-def test_what_too_few_points_forbid_cannot_be_chosen_and_says_how_many_it_takes(show):
-    document = Document(Drawing([Item(some_curve([0, 0], ends="clamped"))]))
-    panel = show(CurvePanel(document, Selection(document)))
-    tip = Qt.ItemDataRole.ToolTipRole
+def test_degree_and_ends_keep_the_shape_and_say_how_well(panel, document, selection, qtbot):
+    before = document.drawing[0].curve
+    with qtbot.waitSignal(panel.announce) as told:
+        choose(qtbot, panel.ends, "Open, clamped ends")
+    clamped = document.drawing[0].curve
+    words = "Clamped “Figure 10”; the shape changed by at most "
+    away = max(nearest(clamped, place)[1] for place in before.sample(4))
+    assert away <= float(told.args[0].removeprefix(words)) < 0.05
+    with qtbot.waitSignal(panel.announce) as told:
+        choose(qtbot, panel.ends, "Open, free ends")
+    assert told.args[0] == "Freed the ends of “Figure 10”; the shape is the same"
 
-    def allowed(combo):
-        return [combo.model().item(i).isEnabled() for i in range(combo.count())]
 
-    assert allowed(panel.degree) == [False, True]
-    assert allowed(panel.ends) == [False, True, False]
-    assert panel.ends.itemData(0, tip) == "Needs at least 4 control points; the curve has 2."
-    assert panel.ends.itemData(2, tip) == "Needs at least 3 control points; the curve has 2."
-    document.apply_curve("Add points", 0, some_curve([0] * 4, ends="clamped"))
-    assert allowed(panel.degree) == [True, True]
-    assert allowed(panel.ends) == [True, True, True]
+def test_all_selected_curves_change_together(panel, document, selection, qtbot, monkeypatch):
+    selection.select_across({0: [], 1: []})
+    monkeypatch.setattr(QColorDialog, "getColor", lambda *_: QColor("#C0FFEE"))
+    qtbot.mouseClick(panel.colour, LEFT)
+    assert [item.color for item in document.drawing] == ["#c0ffee"] * 2
+    assert document.undo_stack.undoText() == "Change line colour of 2 curves"
+    choose(qtbot, panel.degree, "Quadratic · C¹")
+    assert [item.curve.degree for item in document.drawing] == [2, 2]
+    assert document.undo_stack.undoText() == "Make 2 curves quadratic"
+    assert selection.curves == (0, 1)
 
 
 def test_colour_and_width(panel, document, qtbot, monkeypatch):
     monkeypatch.setattr(QColorDialog, "getColor", lambda *_: QColor("#C0FFEE"))
     qtbot.mouseClick(panel.colour, LEFT)
     assert document.drawing[0].color == "#c0ffee"
-    assert document.undo_stack.undoText() == "Recolour curve"
+    assert document.undo_stack.undoText() == "Change line colour"
     monkeypatch.setattr(QColorDialog, "getColor", lambda *_: QColor())
     qtbot.mouseClick(panel.colour, LEFT)
     panel.width_field.setFocus()

@@ -230,6 +230,15 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             places=("curve",),
         ),
         Command(
+            "clamp_or_free",
+            "Curve/Pieces",
+            "Cla&mp or free the ends",
+            "End at the outer control points or, if that is so, freely; the shape is kept as well as possible",
+            said(lambda: pieces.clamp_or_free(*model)),
+            enabled=can_edit,
+            places=("curve",),
+        ),
+        Command(
             "change_degree",
             "Curve/Pieces",
             "Chan&ge degree",

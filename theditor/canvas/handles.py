@@ -28,7 +28,7 @@ LEAST_JOINT_SPACING = 12.0
 """Joints nearer to each other than this many pixels are not marked."""
 SQUARE = 16.0
 MOST_IN_SQUARE = 1.5
-"""More handles than this in each occupied square of `SQUARE` pixels hide the curve, and are not shown unless selected."""
+"""More handles than this in each occupied square of `SQUARE` pixels hide the curve: only selected ones are shown."""
 PROBES = 2000
 """So many distances tell how near points lie to each other."""
 FEW = 30

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from theditor.canvas.points import changed
 from theditor.canvas.projection import projected
 from theditor.drawing import Drawing, Item
-from theditor.model import Document, Selection
-from theditor.model.words import indexed
+from theditor.model import Document, Selection, reshape
+from theditor.model.words import indexed, shape_changed
 from theditor.spline import Curve
 from theditor.spline import pieces as edits
-from theditor.spline.degrees import with_degree
 
 
 def split(document: Document, selection: Selection) -> str:
@@ -30,7 +28,7 @@ def split(document: Document, selection: Selection) -> str:
     drawing = document.drawing.with_curve(index, first)
     document.apply("Split curve", drawing.inserted(index + 1, item.with_(curve=second)))
     selection.select(points=(), segments=())
-    return f"Split “{item.name}” in two; {changed(deviation, item.curve)}"
+    return f"Split “{item.name}” in two; {shape_changed(deviation, item.curve)}"
 
 
 def _joint(curve: Curve, selection: Selection) -> int:
@@ -68,7 +66,7 @@ def join(document: Document, selection: Selection) -> str:
     name = document.drawing[other].name
     document.apply("Join curves", document.drawing.with_curve(index, curve).without(other))
     selection.select(curve=index - (other < index), points=(), segments=())
-    return f"Joined “{item.name}” and “{name}”; {changed(deviation, curve)}"
+    return f"Joined “{item.name}” and “{name}”; {shape_changed(deviation, curve)}"
 
 
 def _nearest_ends(drawing: Drawing, index: int) -> tuple[int, Curve, Curve]:
@@ -96,13 +94,11 @@ def _nearest_ends(drawing: Drawing, index: int) -> tuple[int, Curve, Curve]:
 
 
 def close_or_open(document: Document, selection: Selection) -> str:
-    """Close the current curve, or open it at the selected joint, else where it begins."""
+    """Close the selected curves or, if the current one is closed, open that at the selected joint or its beginning."""
     curve = _current(selection).curve
     if curve.closed:
         return _open(document, selection, _joint(curve, selection) if selection.points else 0)
-    new, deviation = edits.closed(curve)
-    document.apply_curve("Close curve", selection.curve, new)
-    return f"Closed the curve; {changed(deviation, curve)}"
+    return reshape.close(document, selection)
 
 
 def _open(document: Document, selection: Selection, joint: int) -> str:
@@ -110,17 +106,19 @@ def _open(document: Document, selection: Selection, joint: int) -> str:
     new, deviation = edits.opened(curve, joint)
     document.apply_curve("Open curve", selection.curve, new)
     selection.select(points=(), segments=())
-    return f"Opened the curve; {changed(deviation, curve)}"
+    return f"Opened the curve; {shape_changed(deviation, curve)}"
+
+
+def clamp_or_free(document: Document, selection: Selection) -> str:
+    """Clamp the ends of the selected curves or, if the current one's are clamped, free them."""
+    curve = _current(selection).curve
+    clamped = curve.ends == "clamped" and not curve.closed
+    return reshape.set_ends(document, selection, "free" if clamped else "clamped")
 
 
 def change_degree(document: Document, selection: Selection) -> str:
-    """Make the current quadratic curve cubic, or the cubic one quadratic, with all points refitted."""
-    curve = _current(selection).curve
-    degree = 5 - curve.degree
-    new, deviation = with_degree(curve, degree)
-    kind = "quadratic" if degree == 2 else "cubic"
-    document.apply_curve(f"Make curve {kind}", selection.curve, new)
-    return f"The curve is {kind} now; {changed(deviation, curve)}"
+    """Make the selected curves cubic or, if the current one is, quadratic."""
+    return reshape.set_degree(document, selection, 5 - _current(selection).curve.degree)
 
 
 def _current(selection: Selection) -> Item:

@@ -10,7 +10,7 @@ import numpy as np
 from theditor.canvas.viewport import Floats
 from theditor.drawing import Drawing
 from theditor.model import Document, Selection
-from theditor.model.words import counted, indexed, listed, number, points_counted, symbols
+from theditor.model.words import counted, indexed, listed, points_counted, shape_changed, symbols
 from theditor.spline import Curve, corners, fewest_points
 from theditor.spline import points as edits
 
@@ -46,7 +46,7 @@ def _insert(document: Document, selection: Selection, places: Mapping[int, list[
     document.apply(f"Insert {points_counted(new)}", drawing.with_curves(curves))
     selection.select_across(new, selection.curve, ())
     named = symbols("P", new[selection.curve]) if len(new) == 1 and selection.curve in new else ""
-    return f"Inserted {named or points_counted(new)}; {changed(change, *curves.values())}"
+    return f"Inserted {named or points_counted(new)}; {shape_changed(change, *curves.values())}"
 
 
 def _inserted(curve: Curve, places: list[float]) -> tuple[Curve, list[int], float]:
@@ -68,7 +68,7 @@ def insert_on_edge(document: Document, selection: Selection, edge: int, fraction
     curve, deviation = edits.insert_on_edge(item.curve, edge, fraction)
     document.apply_curve("Insert control point", selection.curve, curve)
     selection.select(points={edge + 1}, segments=())
-    return f"Inserted {indexed('P', edge + 1)} on the polygon; {changed(deviation, curve)}"
+    return f"Inserted {indexed('P', edge + 1)} on the polygon; {shape_changed(deviation, curve)}"
 
 
 def remove(document: Document, selection: Selection, *, refit: bool) -> str:
@@ -87,7 +87,7 @@ def remove(document: Document, selection: Selection, *, refit: bool) -> str:
     text = f"Delete {points_counted(chosen)}"
     if new:
         count = sum(len(chosen[i]) for i in new)
-        told.append(f"Deleted {counted(count, 'control point')}; {changed(deviation, *new.values())}")
+        told.append(f"Deleted {counted(count, 'control point')}; {shape_changed(deviation, *new.values())}")
     else:
         text = "Delete curve" if len(gone) == 1 else f"Delete {len(gone)} curves"
     if gone:
@@ -157,20 +157,6 @@ def doomed(selection: Selection) -> list[int]:
     """The curves that would be none without their selected control points."""
     chosen = selection.movable.items()
     return [i for i, of in chosen if takes_the_curve(selection.drawing[i].curve, len(of))]
-
-
-def changed(deviation: float, *curves: Curve) -> str:
-    """Say how far the shape of curves is from what it was."""
-    size = max(float(np.ptp(curve.control_points, axis=0).max()) for curve in curves)
-    if deviation <= 1e-9 * size:
-        return "the shape is the same"
-    return f"the shape changed by at most {number(_rounded_up(deviation))}"
-
-
-def _rounded_up(value: float) -> float:
-    """Two significant digits, never less than the value."""
-    unit = 10.0 ** (math.floor(math.log10(value)) - 1)
-    return math.ceil(value / unit - 1e-9) * unit
 
 
 def near_edge(polygon: Floats, at: Floats, reach: float) -> tuple[int, float] | None:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence, Sized
+
+import numpy as np
 
 from theditor.spline import Curve, Mode
 
@@ -63,6 +66,20 @@ def segments_named(curve: Curve, segments: Iterable[int]) -> str:
         return counted(len(ordered), "segment")
     numbers = [str(s + curve.first_segment) for s in ordered]
     return f"segment {numbers[0]}" if len(numbers) == 1 else f"segments {listed(numbers)}"
+
+
+def shape_changed(deviation: float, *curves: Curve) -> str:
+    """Say how far the shape of curves is from what it was."""
+    size = max(float(np.ptp(curve.control_points, axis=0).max()) for curve in curves)
+    if deviation <= 1e-9 * size:
+        return "the shape is the same"
+    return f"the shape changed by at most {number(_rounded_up(deviation))}"
+
+
+def _rounded_up(value: float) -> float:
+    """Two significant digits, never less than the value."""
+    unit = 10.0 ** (math.floor(math.log10(value)) - 1)
+    return math.ceil(value / unit - 1e-9) * unit
 
 
 def locked_reason(name: str) -> str:

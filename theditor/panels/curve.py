@@ -5,16 +5,16 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QKeyEvent, QKeySequence, QPainter, QPen, QPixmap, QStandardItemModel
+from PySide6.QtGui import QColor, QIcon, QKeyEvent, QKeySequence, QPainter, QPen, QPixmap
 from PySide6.QtWidgets import QColorDialog, QGridLayout, QLabel, QLineEdit, QToolButton, QWidget
 
-from theditor.drawing import DrawingError, Item
+from theditor.drawing import Drawing, DrawingError, Item
 from theditor.drawing.drawing import NAME_LENGTH, WIDTH_RANGE
-from theditor.model import Document, Selection, colours_for, unbreakable, words
+from theditor.model import Document, Selection, colours_for, reshape, unbreakable, words
 from theditor.panels.number_field import NumberField
 from theditor.panels.parts import GAP, ComboBox, column, describe, heading, row
 from theditor.panels.rows import swatch_outline
-from theditor.spline import Curve, Ends, fewest_points
+from theditor.spline import Curve, Ends
 
 _DEGREES = {2: "Quadratic · C¹", 3: "Cubic · C²"}
 _WIDTH_STEP = 0.5
@@ -24,13 +24,12 @@ class _EndsChoice(NamedTuple):
     closed: bool
     ends: Ends
     label: str
-    edit: str
 
 
 _ENDS = (
-    _EndsChoice(False, "free", "Open, free ends", "Free curve's ends"),
-    _EndsChoice(False, "clamped", "Open, clamped ends", "Clamp curve's ends"),
-    _EndsChoice(True, "free", "Closed", "Close curve"),
+    _EndsChoice(False, "free", "Open, free ends"),
+    _EndsChoice(False, "clamped", "Open, clamped ends"),
+    _EndsChoice(True, "free", "Closed"),
 )
 
 
@@ -71,10 +70,14 @@ class CurvePanel(QWidget):
         self.width_field = NumberField(*WIDTH_RANGE)
         self._controls = {
             self.name: ("Name of the curve", "Name of the curve"),
-            self.degree: ("Degree", "Degree: quadratic curves are C¹, cubic ones C²"),
+            self.degree: (
+                "Degree",
+                "Degree: quadratic curves are C¹, cubic ones C²; the shape is kept as well as possible",
+            ),
             self.ends: (
                 "Ends",
-                "How the curve ends: free as the basis has it, clamped to its end points, or closed",
+                "How the curve ends: free as the basis has it, clamped to its end points, or closed; "
+                "the shape is kept as well as possible",
             ),
             self.colour: ("Line colour", "Colour of the line, in lists and exports"),
             self.width_field: ("Line width", "Width of the line in pixels, 0.1 to 100"),
@@ -123,44 +126,49 @@ class CurvePanel(QWidget):
         if item is None or self.name.text() == item.name:
             return
         try:
-            self._set_style("Rename curve", name=self.name.text())
+            named = item.with_(name=self.name.text())
+            self._document.apply(
+                "Rename curve", self._document.drawing.with_item(self._selection.curve, named)
+            )
         except DrawingError as error:
             self.name.setText(item.name)
             self.name.setCursorPosition(0)
             self.announce.emit(str(error))
 
     def _set_style(self, text: str, merge: object = None, **changes: Any) -> None:
-        if self._item is not None:
-            drawing = self._document.drawing.with_item(self._selection.curve, self._item.with_(**changes))
-            self._document.apply(text, drawing, merge)
+        """Change the style of the selected curves that are not locked."""
+        items, chosen = list(self._document.drawing), self._selection.curves
+        for i in chosen:
+            if not items[i].locked:
+                items[i] = items[i].with_(**changes)
+        of = "" if len(chosen) == 1 else f" of {len(chosen)} curves"
+        self._document.apply(text + of, Drawing(items), merge)
 
     def _step_width(self, steps: int) -> None:
         if self._item is not None:
             least, most = WIDTH_RANGE
             width = min(max(self._item.width + steps * _WIDTH_STEP, least), most)
-            self._set_style("Change line width", merge=self._selection.curve, width=width)
+            self._set_style("Change line width", merge=self._selection.curves, width=width)
 
     def _set_degree(self, choice: int) -> None:
-        degree = list(_DEGREES)[choice]
-        kind = "quadratic" if degree == 2 else "cubic"
-        self._set_curve(f"Make curve {kind}", degree=degree)
+        self._tell(reshape.set_degree(self._document, self._selection, list(_DEGREES)[choice]))
 
     def _set_ends(self, choice: int) -> None:
         chosen = _ENDS[choice]
         if chosen.closed:
-            self._set_curve(chosen.edit, closed=True)
+            self._tell(reshape.close(self._document, self._selection))
         else:
-            self._set_curve(chosen.edit, closed=False, ends=chosen.ends)
+            self._tell(reshape.set_ends(self._document, self._selection, chosen.ends))
 
-    def _set_curve(self, text: str, **changes: Any) -> None:
-        if self._item is not None:
-            self._document.apply_curve(text, self._selection.curve, self._item.curve.with_(**changes))
+    def _tell(self, told: str) -> None:
+        if told:
+            self.announce.emit(told)
 
     def _choose_colour(self) -> None:
         if self._item is not None:
             colour = QColorDialog.getColor(QColor(self._item.color), self, "Colour of the line")
             if colour.isValid():
-                self._set_style("Recolour curve", color=colour.name())
+                self._set_style("Change line colour", color=colour.name())
 
     # Following
 
@@ -196,19 +204,14 @@ class CurvePanel(QWidget):
             self._show_colour(self._item.color)
 
     def _show_kind(self, curve: Curve) -> None:
-        """Show degree and ends, and bar what the curve has too few points for."""
-        count = len(curve.control_points)
-        kind = (count, curve.degree, curve.closed, curve.ends)
+        """Show degree and ends."""
+        kind = (curve.degree, curve.closed, curve.ends)
         if kind == self._shown_kind:
             return
         self._shown_kind = kind
         self.degree.setCurrentIndex(list(_DEGREES).index(curve.degree))
         ends = next(i for i, c in enumerate(_ENDS) if (c.closed if curve.closed else c.ends == curve.ends))
         self.ends.setCurrentIndex(ends)
-        for i, degree in enumerate(_DEGREES):
-            _allow(self.degree, i, count, fewest_points(degree, curve.closed, curve.ends))
-        for i, choice in enumerate(_ENDS):
-            _allow(self.ends, i, count, fewest_points(curve.degree, choice.closed, choice.ends))
 
     def _show_guard(self) -> None:
         item = self._item
@@ -220,16 +223,6 @@ class CurvePanel(QWidget):
         for control, (name, tip) in self._controls.items():
             control.setEnabled(not reason)
             describe(control, name, reason or tip)
-
-
-def _allow(combo: ComboBox, index: int, count: int, needed: int) -> None:
-    model = combo.model()
-    assert isinstance(model, QStandardItemModel)
-    enough = count >= needed
-    model.item(index).setEnabled(enough)
-    model.item(index).setToolTip(
-        "" if enough else f"Needs at least {needed} control points; the curve has {count}."
-    )
 
 
 def _swatch(colour: str, outline: QColor) -> QIcon:

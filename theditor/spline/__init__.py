@@ -19,6 +19,7 @@ from theditor.spline.crossings import intersections, self_intersections
 from theditor.spline.curvature import bending_energy, curvature, osculating_circle
 from theditor.spline.curve import Curve, Ends
 from theditor.spline.degrees import with_degree
+from theditor.spline.ends import with_ends
 from theditor.spline.fit import Fitted, fit
 from theditor.spline.formula import FormulaError
 from theditor.spline.geometry import bounds, nearest
@@ -130,5 +131,6 @@ __all__ = [
     "uniform_b_spline_samples",
     "uniform_segments",
     "with_degree",
+    "with_ends",
     "with_free_ends",
 ]

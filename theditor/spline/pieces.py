@@ -158,7 +158,7 @@ def join(a: Curve, b: Curve) -> Edited:
         end, start = first, first + a.degree
     count = whole.segment_count
     if a.ends == b.ends == "clamped":
-        whole = _clamped(whole)
+        whole = clamped_form(whole)
     apart = max(
         deviation(a, whole, (0, first), (0, end), meet),
         deviation(b, whole, (0, second), (start, count), meet),
@@ -201,7 +201,7 @@ def _chained(a: Curve, b: Curve, end: int, start: int) -> Curve:
     )
 
 
-def _clamped(curve: Curve) -> Curve:
+def clamped_form(curve: Curve) -> Curve:
     """Return the clamped curve whose free form this is."""
     points, lambdas = curve.control_points, curve.lambdas
     if curve.degree == 3:

@@ -1,0 +1,53 @@
+"""The selected curves in another degree or with other ends: one undo step, and one sentence on how well it went."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from theditor.model.document import Document
+from theditor.model.selection import Selection
+from theditor.model.words import shape_changed
+from theditor.spline import Curve, Ends, with_degree, with_ends
+from theditor.spline.points import Edited
+
+
+def set_degree(document: Document, selection: Selection, degree: int) -> str:
+    """Make the selected curves quadratic or cubic, with all points refitted."""
+    kind = "quadratic" if degree == 2 else "cubic"
+    return _reshape(
+        document,
+        selection,
+        lambda curve: with_degree(curve, degree),
+        f"Make {{}} {kind}",
+        f"Made {{}} {kind}",
+    )
+
+
+def close(document: Document, selection: Selection) -> str:
+    """Close the selected curves."""
+    return _reshape(document, selection, lambda curve: with_ends(curve, True), "Close {}", "Closed {}")
+
+
+def set_ends(document: Document, selection: Selection, ends: Ends) -> str:
+    """Clamp or free the ends of the selected curves; closed ones are opened where they begin."""
+    text, told = (
+        ("Clamp {}", "Clamped {}") if ends == "clamped" else ("Free ends of {}", "Freed the ends of {}")
+    )
+    return _reshape(document, selection, lambda curve: with_ends(curve, False, ends), text, told)
+
+
+def _reshape(
+    document: Document, selection: Selection, edit: Callable[[Curve], Edited], text: str, told: str
+) -> str:
+    """Edit the selected curves that are not locked; segments and points selected on them go, as they are others."""
+    document.settle()
+    drawing = document.drawing
+    edited = {i: edit(drawing[i].curve) for i in selection.curves if not drawing[i].locked}
+    if not edited:
+        return ""
+    new = {i: result.curve for i, result in edited.items()}
+    document.apply(text.format("curve" if len(new) == 1 else f"{len(new)} curves"), drawing.with_curves(new))
+    selection.select_across(dict.fromkeys(selection.curves, ()), segments=())
+    named = f"“{drawing[min(new)].name}”" if len(new) == 1 else f"{len(new)} curves"
+    deviation = max(result.deviation for result in edited.values())
+    return f"{told.format(named)}; {shape_changed(deviation, *new.values())}"
