@@ -5,7 +5,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QIcon
 from PySide6.QtWidgets import QApplication, QToolBar
 
-from theditor.app.icons import SIZE
+from theditor.app.icons import SIZE, icon
 from theditor.app.theme import Theme, apply_theme
 from theditor.model import DARK, LIGHT
 
@@ -50,14 +50,15 @@ def test_each_button_has_a_picture_of_its_own(window):
 def test_icons_take_the_colours_of_the_theme_and_change_with_it(window):
     for theme, colours in ((Theme.LIGHT, LIGHT), (Theme.DARK, DARK)):
         apply_theme(theme)
+        QApplication.processEvents()
         for command in window.commands:
             if not command.icon:
                 continue
-            icon = window.actions_by_name[command.name].icon()
-            assert inks(picture(icon, 2.0)) == {colours.text}
-            assert inks(picture(icon, 2.0, state=On)) == {colours.accent_text}
-            (faded,) = inks(picture(icon, 2.0, Disabled))
-            assert inks(picture(icon, 2.0, Disabled, On)) == {faded}
+            shown = window.actions_by_name[command.name].icon()
+            assert inks(picture(shown)) == {colours.text}
+            assert inks(picture(shown, state=On)) == {colours.accent_text}
+            (faded,) = inks(picture(shown, mode=Disabled))
+            assert inks(picture(shown, mode=Disabled, state=On)) == {faded}
             ground = QColor(colours.panel).lightness()
             distance = [abs(QColor(c).lightness() - ground) for c in (faded, colours.secondary)]
             assert 30 < distance[0] < distance[1]
@@ -65,10 +66,12 @@ def test_icons_take_the_colours_of_the_theme_and_change_with_it(window):
 
 @pytest.mark.parametrize("ratio", [1.0, 1.5, 2.0, 3.0])
 def test_icons_are_sharp_at_every_scale(window, ratio):
-    for action in buttons(window):
-        image = picture(action.icon(), ratio)
-        assert (image.width(), image.height()) == (SIZE * ratio, SIZE * ratio)
-    stem = coverage(picture(window.actions_by_name["hyperbolic"].icon(), ratio))[int(5 * ratio)]
+    for command in window.commands:
+        if command.brief:
+            image = picture(icon(command.icon, window.palette(), [ratio]), ratio)
+            assert (image.width(), image.height()) == (SIZE * ratio, SIZE * ratio)
+    drawn = picture(icon("hyperbolic", window.palette(), [ratio]), ratio)
+    stem = coverage(drawn)[int(5 * ratio)]
     # An upright stroke of 1½ pixels: its own width of ink, in as few device pixels as can hold it.
     left = stem[: len(stem) // 2]
     assert sum(left) == pytest.approx(1.5 * ratio, abs=0.1)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
@@ -10,13 +12,17 @@ from theditor.resources import resource
 
 SIZE = 16
 """Width and height of an icon in logical pixels."""
-_RATIOS = 1.0, 1.5, 2.0, 3.0  # device pixels per logical pixel, each drawn anew: nothing is scaled
 
 
-def icon(name: str, palette: QPalette) -> QIcon:
+def icon(name: str, palette: QPalette, ratios: Iterable[float]) -> QIcon:
     """Return an icon in the palette's text colour, its accent where checked, faded where disabled.
 
     It keeps these colours: ask for another one when the palette changes.
+
+    Parameters
+    ----------
+    ratios
+        Device pixels per logical pixel of the screens it is for; drawn anew for each, so that nothing is scaled.
 
     Raises
     ------
@@ -26,7 +32,7 @@ def icon(name: str, palette: QPalette) -> QIcon:
     group, role = QPalette.ColorGroup, QPalette.ColorRole
     renderer = QSvgRenderer(str(resource(f"icons/{name}.svg")))
     result = QIcon()
-    for ratio in _RATIOS:
+    for ratio in ratios:
         drawn = _drawn(renderer, ratio)
         for mode, state, colour in (
             (QIcon.Mode.Normal, QIcon.State.Off, palette.color(group.Active, role.ButtonText)),

@@ -80,9 +80,12 @@ class MainWindow(QMainWindow):
         self.clipboard = Clipboard(self)
         self._build_panels()
         self.coordinates = Coordinates(self)
+        self._tinted = (0, 0)
         self.commands = commands(self)
         self.actions_by_name = build_menus(self)
-        tint_icons(self)
+        self._tint_icons()
+        if isinstance(app := QApplication.instance(), QApplication):
+            app.screenAdded.connect(self._tint_icons)
         self.context_menus = ContextMenus(self)
         self._build_status_line()
         self._follow()
@@ -386,10 +389,16 @@ class MainWindow(QMainWindow):
     def changeEvent(self, event: QEvent) -> None:
         """Draw the icons in the colours of the theme."""
         super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
-            tint_icons(self)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_tinted"):
+            self._tint_icons()
         elif event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
             self.outside.check()
+
+    def _tint_icons(self) -> None:
+        look = QApplication.palette().cacheKey(), len(QApplication.screens())
+        if look != self._tinted:  # Qt tells of the palette once more when the window is first shown
+            self._tinted = look
+            tint_icons(self)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Count as open from now on."""

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from functools import partial
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QDockWidget, QMenu
 
-from theditor.app.command import make_action
+from theditor.app.command import Command, make_action
 from theditor.app.icons import icon
 from theditor.app.letters import lettered
 from theditor.app.toolbar import Toolbar
@@ -45,12 +48,21 @@ def build_menus(window: MainWindow) -> dict[str, QAction]:
 
 
 def tint_icons(window: MainWindow) -> None:
-    """Give the actions their icons, in the colours of the application's palette."""
-    for command in window.commands:
-        if command.icon:
+    """Give the actions their icons, in the colours of the palette and sharp on every screen there is.
+
+    Those of the toolbar have theirs at once, the others when the window has been painted.
+    """
+    ratios = sorted({screen.devicePixelRatio() for screen in QApplication.screens()})
+
+    def tint(some: Iterable[Command]) -> None:
+        for command in some:
             action = window.actions_by_name[command.name]
-            action.setIcon(icon(command.icon, QApplication.palette()))
+            action.setIcon(icon(command.icon, QApplication.palette(), ratios))
             action.setIconVisibleInMenu(not action.isCheckable())  # its place is the check mark's
+
+    tint(command for command in window.commands if command.icon and command.brief)
+    rest = [command for command in window.commands if command.icon and not command.brief]
+    QTimer.singleShot(0, window, partial(tint, rest))
 
 
 def _menu(window: MainWindow, menus: dict[str, QMenu], path: str) -> QMenu:
