@@ -153,7 +153,7 @@ def test_the_menu_key_offers_what_can_be_done_with_the_selection(window):
 
 @pytest.fixture
 def palette(window, qtbot):
-    window.find_command()
+    window.actions_by_name["palette"].trigger()
     palette = window.findChild(Palette)
     qtbot.waitExposed(palette)
     return palette

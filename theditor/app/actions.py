@@ -5,14 +5,13 @@ Menus, toolbar, context menus, the command palette and the sheet of shortcuts ar
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from PySide6.QtGui import QKeySequence
 
+from theditor.app import dialogs
 from theditor.app.command import Command, can_edit, can_edit_any, has_curve
-from theditor.app.lambda_dialogs import LambdaDialog, formula_dialog, gradient_dialog, smooth_dialog
 from theditor.app.point_commands import point_commands
-from theditor.app.recover_dialog import offer_all
 from theditor.app.view_commands import view_commands
 from theditor.spline import KNOWN, Known, Mode
 
@@ -65,16 +64,18 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "Insert",
             f"{known.name}…",
             f"Insert {article} {name}, exact, by its parameters",
-            lambda: window.insert(known),
+            lambda: dialogs.insert_known(window, known),
         )
 
-    def many(name: str, text: str, tip: str, dialog: LambdaDialog, *, gap: bool = False) -> Command:
+    def many(
+        name: Literal["gradient", "smooth", "formula"], text: str, tip: str, *, gap: bool = False
+    ) -> Command:
         return Command(
             name,
             "Curve",
             text,
             tip,
-            lambda: window.change_lambdas(dialog),
+            lambda: dialogs.change_lambdas(window, name),
             enabled=can_edit,
             places=("point", "segment"),
             gap=gap,
@@ -140,7 +141,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "File",
             "Reco&ver…",
             "Bring back work that was not saved before the program ended, or that was discarded in the last days",
-            lambda: offer_all(window),
+            lambda: dialogs.recover(window),
             gap=True,
         ),
         Command(
@@ -254,7 +255,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "Edit",
             "&Preferences…",
             "Theme, nudge step and the degree of new curves",
-            window.show_preferences,
+            lambda: dialogs.show_preferences(window),
             (_Standard.Preferences, "Ctrl+,"),
             gap=True,
         ),
@@ -349,11 +350,10 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "gradient",
             "λ &gradient…",
             "Let λ run evenly over the selected points, those of the selected segments, or the curve",
-            gradient_dialog,
             gap=True,
         ),
-        many("smooth", "&Smooth λ…", "Draw λ that jump up and down towards their neighbours", smooth_dialog),
-        many("formula", "λ by &formula…", "Give each λ the value of a formula in i, n and λ", formula_dialog),
+        many("smooth", "&Smooth λ…", "Draw λ that jump up and down towards their neighbours"),
+        many("formula", "λ by &formula…", "Give each λ the value of a formula in i, n and λ"),
         Command(
             "keep_hull",
             "Curve",
@@ -397,7 +397,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "Help",
             "&Find a command…",
             "Type a few letters of what you want to do",
-            window.find_command,
+            lambda: dialogs.find_command(window),
             ("Ctrl+Shift+P",),
             places=("ground",),
         ),
@@ -406,7 +406,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "Help",
             "&Keys and mouse…",
             "Everything the keys and the mouse do",
-            window.show_shortcuts,
+            lambda: dialogs.show_shortcuts(window),
             ("?", "F1"),
         ),
         Command(
@@ -417,5 +417,11 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             window.files.open_gallery,
             icon="gallery",
         ),
-        Command("about", "Help", "&About theditor", "Version, licence and the paper behind it", window.about),
+        Command(
+            "about",
+            "Help",
+            "&About theditor",
+            "Version, licence and the paper behind it",
+            lambda: dialogs.show_about(window),
+        ),
     )

@@ -16,11 +16,11 @@ from theditor.canvas.projection import moved, projected
 from theditor.drawing import Drawing, DrawingError, Item, decode, encode
 from theditor.model import words
 from theditor.model.number_table import points_in
-from theditor.panels.points import PointsView
 from theditor.spline import Curve
 
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
+    from theditor.panels.points import PointsView
 
 OWN_TYPE = "application/vnd.theditor+json"
 SVG_TYPE = "image/svg+xml"
@@ -105,6 +105,8 @@ class Clipboard:
 
     def _field(self) -> QLineEdit | PointsView | None:
         """Return what has the focus, if it deals in text."""
+        from theditor.panels.points import PointsView  # loaded when it is first asked for
+
         widget = self._window.focusWidget()
         if isinstance(widget, QAbstractSpinBox):
             widget = widget.lineEdit()

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QAbstractSpinBox, QLineEdit, QMenu, QMessageBox
 
 from theditor.app import ask
-from theditor.app.gallery_dialog import GalleryDialog
 from theditor.app.problems import log
 from theditor.app.recent import recent_files, remember_file
 from theditor.app.tour import lead
@@ -58,6 +57,8 @@ class Files:
     def open_gallery(self) -> None:
         """Let the user choose a picture from the gallery and open a copy of it."""
         if self.may_discard():
+            from theditor.app.gallery_dialog import GalleryDialog  # loaded when it is first asked for
+
             dialog = GalleryDialog(self._window)
             if dialog.exec() and dialog.chosen is not None:
                 lead(self._window, dialog.chosen)

@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QApplication,
     QLabel,
     QMainWindow,
-    QMessageBox,
     QTabWidget,
     QVBoxLayout,
     QWidget,
@@ -25,14 +24,9 @@ from theditor.app.context_menus import ContextMenus
 from theditor.app.coordinates import Coordinates
 from theditor.app.docks import add_dock, scrolling_column
 from theditor.app.files import Files
-from theditor.app.insert_dialog import InsertDialog
-from theditor.app.lambda_dialogs import LambdaDialog
 from theditor.app.menus import build_menus, tint_icons
 from theditor.app.outside import Outside
-from theditor.app.palette import Palette
-from theditor.app.preferences import Preferences
 from theditor.app.problems import MessageBar
-from theditor.app.shortcuts import Shortcuts
 from theditor.app.tour import GuideBar
 from theditor.app.windows import open_windows
 from theditor.canvas import Canvas, Pointed
@@ -46,8 +40,7 @@ from theditor.panels.lambda_strip import LambdaStrip
 from theditor.panels.segment_info import SegmentPanel
 from theditor.panels.segments import SegmentsPanel
 from theditor.panels.shape import ShapePanel
-from theditor.resources import version
-from theditor.spline import MAX_COORDINATE, Curve, Known, Mode
+from theditor.spline import MAX_COORDINATE, Curve, Mode
 
 if TYPE_CHECKING:
     from theditor.panels.basis import BasisPanel
@@ -322,17 +315,6 @@ class MainWindow(QMainWindow):
         self.document.apply("Add curve", drawing.inserted(len(drawing), item))
         self.selection.select(curve=len(drawing))
 
-    def insert(self, known: Known) -> None:
-        """Ask for the parameters of a known curve and insert it."""
-        InsertDialog(known, self.document, self.selection, self.canvas.plane, self).open()
-
-    def change_lambdas(self, dialog: LambdaDialog) -> None:
-        """Ask how to change many λ at once, or say why none can be."""
-        try:
-            dialog(self.document, self.selection, self).open()
-        except ValueError as error:
-            self.announce(str(error))
-
     def reverse(self) -> None:
         """Run through the current curve the other way; its shape stays."""
         item = self.selection.item
@@ -340,29 +322,6 @@ class MainWindow(QMainWindow):
             self.document.apply_curve("Reverse direction", self.selection.curve, item.curve.reversed())
 
     # The window itself
-
-    def find_command(self) -> None:
-        """Let the user find a command by words and run it."""
-        Palette(self.menuBar(), self).open()
-
-    def show_preferences(self) -> None:
-        """Let the user choose theme, nudge step and degree."""
-        Preferences(self).open()
-
-    def show_shortcuts(self) -> None:
-        """Show what the keys and the mouse do."""
-        Shortcuts(self).open()
-
-    def about(self) -> None:
-        """Say what this is."""
-        QMessageBox.about(
-            self,
-            "About theditor",
-            f"<b>theditor {version()}</b><p>An editor for TH-type uniform B-splines: quadratic and cubic curves "
-            "whose segments are trigonometric, hyperbolic or interpolating, as their shape parameters λ say.</p>"
-            "<p>After J. Xie, <i>A Geometric Modeling Method Based on TH-Type Uniform B-Splines</i>, "
-            "Mathematical Problems in Engineering 2014, 242469.</p><p>MIT licence.</p>",
-        )
 
     @property
     def is_unused(self) -> bool:

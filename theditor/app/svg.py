@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from xml.sax.saxutils import escape
+from html import escape
 
 import numpy as np
 from numpy.typing import NDArray
@@ -84,5 +84,5 @@ def _path(item: Item, cubics: Floats) -> str:
     end = "Z" if item.curve.closed else ""
     return (
         f'<path d="M{x!r},{y!r}{bends}{end}" fill="none" stroke="{item.color}" stroke-width="{item.width!r}" '
-        f'stroke-linecap="round" stroke-linejoin="round"><title>{escape(item.name)}</title></path>\n'
+        f'stroke-linecap="round" stroke-linejoin="round"><title>{escape(item.name, quote=False)}</title></path>\n'
     )

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from theditor.spline import Curve, changed_segments, enclosures, joints
+from theditor.spline.distinct import distinct
 from theditor.spline.sampling import intervals_within, sample_parts
 
 Floats = NDArray[np.float64]
@@ -118,7 +119,7 @@ class ChordTree:
         self._measure(changed)
         nodes = changed
         for below, parents in enumerate(self._parents):
-            nodes = np.unique(parents[nodes])
+            nodes = distinct(parents[nodes])
             self._combine(below, nodes)
         return True
 
@@ -258,7 +259,7 @@ class ChordTree:
         for level, parents in zip(self._levels, [*self._parents, None], strict=True):
             flags.append(np.zeros(len(level.first), dtype=np.bool_))
             flags[-1][nodes] = True
-            nodes = nodes if parents is None else np.unique(parents[nodes])
+            nodes = nodes if parents is None else distinct(parents[nodes])
         return flags
 
     def _lines(

@@ -18,6 +18,7 @@ from theditor.canvas.viewport import Floats, Viewport
 from theditor.drawing import Drawing, Item
 from theditor.model.colours import Colours
 from theditor.spline import Curve, Mode
+from theditor.spline.distinct import distinct
 
 Ints = NDArray[np.intp]
 
@@ -74,7 +75,7 @@ class CurvesPainter:
         )
         lines = viewport.lines_to_pixels(found.lines)
         indices, result = list(self._places), {}
-        for place in np.unique(found.curves).tolist():
+        for place in distinct(found.curves).tolist():
             own = slice(*np.searchsorted(found.curves, (place, place + 1)).tolist())
             result[indices[place]] = Stroke(-1, lines[own], found.segments[own], found.parameters[own])
         return result
@@ -112,10 +113,10 @@ class CurvesPainter:
         indices = list(self._places)
         starts = np.searchsorted(owners, np.arange(len(indices) + 1)).tolist()
         pens: dict[tuple[str, float], QPen] = {}
-        for place in sorted(np.unique(owners).tolist(), key=lambda place: place == top):
+        for place in sorted(distinct(owners).tolist(), key=lambda place: place == top):
             item, own = drawing[indices[place]], slice(starts[place], starts[place + 1])
             if by_mode and place == top:
-                for code in np.unique(codes[own]).tolist():
+                for code in distinct(codes[own]).tolist():
                     painter.setPen(curve_pen(colours.of_mode(MODES[code]), item.width))
                     draw_lines(painter, lines[own][codes[own] == code])
             else:

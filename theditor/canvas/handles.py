@@ -16,6 +16,7 @@ from theditor.canvas.lines import clipped, draw_lines
 from theditor.canvas.viewport import Viewport, inside
 from theditor.model.colours import Colours
 from theditor.spline import Curve
+from theditor.spline.distinct import distinct
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.intp]
@@ -68,7 +69,7 @@ def detail(curve: Curve, viewport: Viewport, visible: Ints) -> Detail:
     counts = len(points), len(visible)
     if len(points) > FEW and _crowd(viewport.to_pixels(curve.control_points[points])) > MOST_IN_SQUARE:
         return Detail(*counts, handles=False, dashed=False, joints=False)
-    meetings = curve(np.unique(np.concatenate([visible, visible + 1])))
+    meetings = curve(distinct(np.concatenate([visible, visible + 1])))
     meetings = meetings[points_inside(meetings, viewport)]
     crowded = len(meetings) > 1 and _spacing(meetings, viewport) < LEAST_JOINT_SPACING
     return Detail(*counts, handles=True, dashed=len(visible) <= MOST_DASHED, joints=not crowded)

@@ -24,6 +24,7 @@ from theditor.spline import (
     reach,
     uniform_segments,
 )
+from theditor.spline.distinct import distinct
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.intp]
@@ -132,7 +133,7 @@ def paint_hull(painter: QPainter, corners: Floats, plane: Viewport, colours: Col
 
 def paint_guards(painter: QPainter, curve: Curve, segments: Ints, plane: Viewport, colours: Colours) -> None:
     """Paint a warning sign at the middle of each of some segments that has a negative basis function."""
-    places = curve(np.unique(negative_basis(curve, segments).segments) + 0.5)
+    places = curve(distinct(negative_basis(curve, segments).segments) + 0.5)
     places = plane.to_pixels(places[points_inside(places, plane, 10.0)])
     if len(places) > MOST_SIGNS:
         return

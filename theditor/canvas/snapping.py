@@ -16,6 +16,7 @@ from theditor.canvas.viewport import Floats, Viewport
 from theditor.drawing import Drawing
 from theditor.model.words import indexed
 from theditor.spline import Curve, changed_segments
+from theditor.spline.distinct import distinct
 
 Ints = NDArray[np.intp]
 NOTHING: Ints = np.empty(0, dtype=np.intp)
@@ -89,7 +90,7 @@ class Snapper:
     def _joint(self, at: Floats, near: Mapping[int, Stroke], plane: Viewport) -> Snapped | None:
         found = []
         for i, stroke in near.items():
-            joints = np.unique(np.concatenate([stroke.segments, stroke.segments + 1]))
+            joints = distinct(np.concatenate([stroke.segments, stroke.segments + 1]))
             places = self._curves.plane_curve(i)(joints)
             found += [(places[j], "joint") for j in near_points(places, at, plane)[:1]]
         return _nearest(found, at, plane)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from theditor.canvas.lines import clipped
 from theditor.canvas.viewport import Viewport
 from theditor.spline import Curve
+from theditor.spline.distinct import distinct
 from theditor.spline.sampling import sample_adaptively
 
 Floats = NDArray[np.float64]
@@ -47,7 +48,7 @@ def strokes(
     owners, parameters = samples.segments[run[kept]], parameters[kept]
     codes = curve.codes_of(samples.segments)[run[kept]]
     result = []
-    for code in np.unique(codes).tolist():
+    for code in distinct(codes).tolist():
         chosen = codes == code
         result.append(Stroke(code, lines[chosen], owners[chosen], parameters[chosen]))
     return result

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from theditor.model.arithmetic import calculated, number_in
 from theditor.model.words import MODE_LETTERS, counted, exact, indexed
 from theditor.spline import Curve, Mode
+from theditor.spline.distinct import distinct
 
 LAMBDA, MODE = "λ", "Segment"
 
@@ -116,7 +117,7 @@ def copied(curve: Curve, cells: Iterable[tuple[int, NDArray[np.intp]]]) -> str:
     chosen = {column: rows for column, rows in cells if len(rows)}
     if not chosen:
         return ""
-    every = np.unique(np.concatenate(list(chosen.values())))
+    every = distinct(np.concatenate(list(chosen.values())))
     parts = []
     for column in sorted(chosen):
         rows = set(chosen[column].tolist())

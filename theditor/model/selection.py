@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, Signal
 from theditor.drawing import Drawing, Item
 from theditor.model.document import Document
 from theditor.spline import Curve
+from theditor.spline.distinct import distinct
 
 Ints = NDArray[np.intp]
 
@@ -220,7 +221,7 @@ class Selection(QObject):
 def shaping_points(curve: Curve, segments: Iterable[int]) -> Ints:
     """Control points whose λ shape any of `segments`, ascending."""
     first = np.fromiter(segments, dtype=np.intp) + curve.first_segment
-    points = np.unique(np.concatenate([first, first + 1]) % len(curve.control_points))
+    points = distinct(np.concatenate([first, first + 1]) % len(curve.control_points))
     active: Ints = points[curve.active_lambdas[points]]
     return active
 
@@ -235,7 +236,7 @@ def _is_open(item: Item) -> bool:
 def _ascending(points: Iterable[int]) -> Ints:
     """Indices in ascending order, each once."""
     array: Ints = points if isinstance(points, np.ndarray) else np.fromiter(points, dtype=np.intp)
-    return array if (array[1:] > array[:-1]).all() else np.unique(array)
+    return array if (array[1:] > array[:-1]).all() else distinct(array)
 
 
 def _same(a: dict[int, Ints], b: dict[int, Ints]) -> bool:

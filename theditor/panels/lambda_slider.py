@@ -23,6 +23,7 @@ from theditor.model.words import exact
 from theditor.panels import lambda_scale as scale
 from theditor.panels.parts import small_font
 from theditor.spline import CONVEX_HULL_RANGE
+from theditor.spline.distinct import distinct
 
 _INSET = 8.0
 _TRACK_Y = 12.0
@@ -78,7 +79,7 @@ class LambdaSlider(QWidget):
 
         The handle of values that differ stands at their `mean` if it is given, else in the middle of their range.
         """
-        self._values = np.unique(np.asarray(values, dtype=np.float64))
+        self._values = distinct(np.asarray(values, dtype=np.float64))
         self._degree, self._mean = degree, mean
         self.setAccessibleDescription(self._description())
         self.update()
@@ -265,7 +266,7 @@ class LambdaSlider(QWidget):
             faint.setAlphaF(0.35)
             painter.setPen(QPen(ground, 1.0))
             painter.setBrush(faint)
-            pixels = np.unique(np.round(scale.position(self._values) * self._length() / 4) * 4)
+            pixels = distinct(np.round(scale.position(self._values) * self._length() / 4) * 4)
             for x in pixels if pixels.size <= _FAINT_HANDLES else ():
                 painter.drawEllipse(QPointF(_INSET + x, _TRACK_Y), 4.5, 4.5)
         centre = QPointF(self._x(self._place()), _TRACK_Y)

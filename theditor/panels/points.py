@@ -45,6 +45,7 @@ from theditor.model.point_table import PointTable
 from theditor.panels.parts import describe, tabular
 from theditor.panels.rows import SWATCH
 from theditor.panels.segment_model import runs
+from theditor.spline.distinct import distinct
 
 _ROW_HEIGHT = 24
 _WIDTH = 116
@@ -131,13 +132,13 @@ class PointsView(QTableView):
         for part in self.selectionModel().selection().toList():
             for column in range(part.left(), part.right() + 1):
                 rows.setdefault(column, []).append(np.arange(part.top(), part.bottom() + 1))
-        return [(column, np.unique(np.concatenate(rows[column]))) for column in sorted(rows)]
+        return [(column, distinct(np.concatenate(rows[column]))) for column in sorted(rows)]
 
 
 def _rows_of(parts: Iterable[QItemSelectionRange]) -> NDArray[np.intp]:
     """Return the rows of some ranges of cells, ascending, each once."""
     rows = [np.arange(part.top(), part.bottom() + 1) for part in parts]
-    return np.unique(np.concatenate(rows)) if rows else np.empty(0, dtype=np.intp)
+    return distinct(np.concatenate(rows)) if rows else np.empty(0, dtype=np.intp)
 
 
 def _is_ours(event: QKeyEvent) -> bool:

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from theditor.spline import bernstein, joints
 from theditor.spline.basis import Floats
+from theditor.spline.distinct import distinct
 
 APART, FOLLOWING, SAME = 0, 1, 2  # how the two parts of a pair lie on one curve
 
@@ -125,7 +126,7 @@ def _sliced(pairs: _Pairs) -> list[_Pairs]:
         return [pairs]
     order = np.argsort(pairs.row, kind="stable")
     row = pairs.row[order]
-    cuts = np.unique(np.searchsorted(row, row[_SLICE::_SLICE]))
+    cuts = distinct(np.searchsorted(row, row[_SLICE::_SLICE]))
     return [pairs.take(part) for part in np.split(order, cuts) if len(part)]
 
 

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from theditor.spline.checks import clean_indices
 from theditor.spline.curve import Curve
+from theditor.spline.distinct import distinct
 
 _STEPS: Final = 4
 
@@ -84,5 +85,5 @@ def shifted(curve: Curve, indices: ArrayLike, delta: float) -> Curve:
 
 def _active(curve: Curve, indices: ArrayLike) -> NDArray[np.intp]:
     """Return those of the indices whose λ is active, each once, ascending."""
-    where = np.unique(clean_indices(indices, len(curve.control_points), "control point"))
+    where = distinct(clean_indices(indices, len(curve.control_points), "control point"))
     return where[curve.active_lambdas[where]]

@@ -12,6 +12,7 @@ import numpy as np
 from theditor.spline.basis import Floats
 from theditor.spline.curve import Curve
 from theditor.spline.deviation import deviation
+from theditor.spline.distinct import distinct
 from theditor.spline.points import Edited
 from theditor.spline.refit import refitted
 from theditor.spline.shape import locate
@@ -124,7 +125,7 @@ def closed(curve: Curve) -> Edited:
         free.control_points[1 : count + 1], free.lambdas[1 : count + 1], curve.degree, True, curve.ends
     )
     if not _alike(free, free):
-        seam = np.unique(np.arange(-_AROUND, _AROUND + 1) % count)
+        seam = distinct(np.arange(-_AROUND, _AROUND + 1) % count)
         u = _samples(count)
         ring, _ = refitted(ring, curve(u), u, seam)
     return Edited(ring, deviation(curve, ring, (0, count), (0, count)))

@@ -13,6 +13,7 @@ from theditor.spline.basis import Floats
 from theditor.spline.checks import check_count, clean_indices
 from theditor.spline.curve import Curve
 from theditor.spline.deviation import deviation
+from theditor.spline.distinct import distinct
 from theditor.spline.refit import Indices, refitted
 from theditor.spline.shape import locate
 
@@ -108,7 +109,7 @@ def remove(curve: Curve, indices: ArrayLike, refit: bool = True) -> Edited:
         If there is no such control point, or fewer would stay than the curve needs.
     """
     count = len(curve.control_points)
-    where = np.unique(clean_indices(indices, count, "control point"))
+    where = distinct(clean_indices(indices, count, "control point"))
     check_count(count - len(where), curve.degree, curve.closed, curve.ends)
     if not len(where):
         return Edited(curve, 0.0)

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from theditor.spline import enclosures, joints
 from theditor.spline.basis import Floats, hyperbolic, trigonometric
 from theditor.spline.checks import clean_indices
+from theditor.spline.distinct import distinct
 
 if TYPE_CHECKING:
     from theditor.spline.curve import Curve
@@ -114,7 +115,7 @@ def changed_segments(old: "Curve", new: "Curve") -> NDArray[np.intp] | None:
         if new.active_lambdas.any():  # else the modes alone depend on λ
             differing = differing[new.active_lambdas[differing]]
         touched.append(_within_reach(differing - first, range(-1, 1), count, new.closed))
-    return touched[0] if len(touched) == 1 else np.unique(np.concatenate([np.empty(0, np.intp), *touched]))
+    return touched[0] if len(touched) == 1 else distinct(np.concatenate([np.empty(0, np.intp), *touched]))
 
 
 def differing_rows(old: Floats, new: Floats) -> NDArray[np.intp]:
@@ -347,7 +348,7 @@ def _within_reach(places: NDArray[np.intp], reach: range, count: int, closed: bo
     for step in reach:
         marked[places - low + step] = True
     segments = np.flatnonzero(marked) + low
-    return np.unique(segments % count) if closed else segments[(segments >= 0) & (segments < count)]
+    return distinct(segments % count) if closed else segments[(segments >= 0) & (segments < count)]
 
 
 def _corner(corner: ArrayLike | None, otherwise: float, curve: "Curve") -> Floats:

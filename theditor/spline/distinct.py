@@ -1,0 +1,21 @@
+"""The different ones among some values."""
+
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+Scalar = TypeVar("Scalar", bound=np.generic)
+
+
+def distinct(values: NDArray[Scalar]) -> NDArray[Scalar]:
+    """Return each value of a flat array once, ascending.
+
+    `numpy.unique` does so, too, but loads all of `numpy.ma` when it is first called, and hashes integers, which
+    takes longer than to sort them.
+    """
+    if values.size == 0 or (values == values[0]).all():
+        return values[:1]
+    ascending: NDArray[Scalar] = np.sort(values)
+    result: NDArray[Scalar] = ascending[np.append(True, ascending[1:] != ascending[:-1])]
+    return result
