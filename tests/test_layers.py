@@ -26,7 +26,7 @@ LAYERS = {
     "canvas": {"spline", "drawing", "model", "numpy", *QT},
     "panels": {"spline", "drawing", "model", "numpy", *QT},
     "app": {"spline", "drawing", "exchange", "model", "canvas", "panels", "numpy", *QT},
-    "cli": {"spline", "drawing", "exchange"},
+    "cli": {"spline", "drawing", "exchange", "tqdm"},
     "__main__": {"cli"},
     "__init__": set(),
 }

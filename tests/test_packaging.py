@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from theditor import cli
+from theditor.cli.window import DEBIAN_PACKAGES
 
 README = Path(__file__).parents[1] / "README.md"
 
@@ -13,5 +13,5 @@ def test_the_commands_install_the_system_libraries_that_the_program_names():
         set(names.split())
         for names in re.findall(r"--no-install-recommends (.*?) &&", README.read_text("utf-8"))
     )
-    assert window == {"python3-venv", *cli._DEBIAN_PACKAGES.split()}
+    assert window == {"python3-venv", *DEBIAN_PACKAGES.split()}
     assert {"python3-venv", "libgl1", "libegl1"} < tests < window

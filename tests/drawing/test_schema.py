@@ -307,7 +307,7 @@ def validator():
 
 def test_the_schema_is_shipped_as_it_is():
     shipped = resource("theditor.schema.json").read_text("utf-8")
-    assert json.loads(shipped) == json_schema(), "run `theditor schema -o resources/theditor.schema.json`"
+    assert json.loads(shipped) == json_schema(), "run `theditor schema > resources/theditor.schema.json`"
 
 
 @pytest.mark.parametrize(

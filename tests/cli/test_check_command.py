@@ -1,29 +1,12 @@
-import os
-import subprocess
+import json
 import sys
-from pathlib import Path
-from types import ModuleType
 
-import pytest
-
-from theditor import resources
 from theditor.cli import main
 from theditor.drawing import Drawing, Item, save
+from theditor.resources import resource
 from theditor.spline import JOINT_SLOPE_ZERO, Curve, Mode, basis, continuity, known
 
-GALLERY = resources.resource("gallery")
-FIGURE_10 = GALLERY / "figure-10.json"
-
-SCREENLESS = {
-    name: value
-    for name, value in os.environ.items()
-    if name not in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
-}
-
-
-def theditor(*arguments, **options):
-    command = [sys.executable, "-m", "theditor", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=60, **options)
+FIGURE_10 = resource("gallery") / "figure-10.json"
 
 
 def test_check_says_what_is_in_a_file(capsys, tmp_path):
@@ -166,84 +149,26 @@ def test_check_says_what_is_wrong_and_goes_on(capsys, tmp_path):
     assert good == f"{FIGURE_10}: 1 curve"
 
 
-def test_check_runs_without_qt():
-    code = (
-        "import sys; from theditor.cli import main; code = main(['check', sys.argv[1]]); "
-        "sys.exit(code or 'PySide6' in sys.modules or 'pyqtgraph' in sys.modules)"
-    )
-    subprocess.run([sys.executable, "-c", code, FIGURE_10], check=True, capture_output=True)
+def test_check_answers_in_json_with_every_segment_and_joint(capsysbinary, tmp_path):
+    (tmp_path / "bad.json").write_text("{}")
+    arguments = ["check", "--json", str(FIGURE_10), str(tmp_path / "bad.json")]
+    assert main(arguments) == 1
+    good, bad = json.loads(capsysbinary.readouterr().out)
+    assert good["file"] == str(FIGURE_10)
+    (curve,) = good["curves"]
+    assert (curve["name"], curve["degree"], curve["points"], curve["holds"]) == ("Figure 10", 3, 13, True)
+    assert [each["number"] for each in curve["segments"]] == list(range(1, 11))
+    assert curve["segments"][4]["name"] == "catenary"
+    assert curve["segments"][4]["equation"].startswith("(x, y) = (1 − t, 1 + cosh(1 − t))")
+    assert curve["segments"][1]["negative_basis"].startswith("basis function c₃ is negative")
+    assert [joint["number"] for joint in curve["joints"]] == list(range(2, 11))
+    assert all(joint["holds"] and joint["order"] == 2 for joint in curve["joints"])
+    assert bad["error"].endswith('must have the field "format": this is not a drawing of this program.')
 
 
-@pytest.mark.parametrize("arguments", [["check"], ["--no-such-option"]])
-def test_wrong_usage_ends_with_2_and_the_usage(capsys, arguments):
-    with pytest.raises(SystemExit) as caught:
-        main(arguments)
-    assert caught.value.code == 2
-    assert capsys.readouterr().err.startswith("usage: theditor")
-
-
-def test_version_and_help():
-    assert theditor("--version").stdout.split()[0] == "theditor"
-    help_text = theditor("--help").stdout
-    assert "theditor [FILE ...]" in help_text
-    assert "theditor check FILE ..." in help_text
-
-
-@pytest.mark.parametrize(
-    ("arguments", "files"),
-    [
-        ([], []),
-        (["a.json", "b.json"], ["a.json", "b.json"]),
-        (["./check"], ["check"]),
-        (["--", "check"], ["check"]),
-    ],
-)
-def test_files_are_opened_in_the_window_even_one_called_check(monkeypatch, arguments, files):
-    opened = []
-    window = ModuleType("theditor.app.main")
-    window.run = lambda paths: opened.append(paths) or 0
-    monkeypatch.setitem(sys.modules, "theditor.app.main", window)
-    assert main(arguments) == 0
-    assert opened == [[Path(file) for file in files]]
-
-
-def test_a_missing_system_library_is_named_with_the_command_that_installs_it(monkeypatch, capsys):
-    class Lacking:
-        @staticmethod
-        def find_spec(name, *_):
-            if name == "theditor.app.main":
-                raise ImportError("libEGL.so.1: cannot open shared object file: No such file or directory")
-
-    monkeypatch.setattr(sys, "meta_path", [Lacking, *sys.meta_path])
-    monkeypatch.delitem(sys.modules, "theditor.app.main", raising=False)
-    assert main([]) == 1
-    error = capsys.readouterr().err
-    assert error.startswith("theditor: the system library libEGL.so.1 is missing")
-    assert "sudo apt-get install -y libgl1 libegl1" in error
-    assert error.count("\n") == 1
-
-
-@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there is always a display")
-def test_without_a_display_one_sentence_says_so():
-    run = theditor(env=SCREENLESS)
-    assert run.returncode == 1
-    assert run.stdout == ""
-    assert run.stderr.startswith("theditor: there is no display")
-    assert run.stderr.count("\n") == 1
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="POSIX pipes")
-def test_a_reader_that_has_gone_is_no_error_to_speak_of():
-    command = [sys.executable, "-m", "theditor", "check", FIGURE_10]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
-        process.stdout.close()
-        assert process.stderr.read() == b""
-    assert process.returncode == 141
-
-
-def test_a_terminal_without_the_letters_of_a_name_gets_escapes(tmp_path):
-    path = tmp_path / "name.json"
-    save(Drawing([Item(Curve([[0, 0], [1, 1]], ends="clamped"), "λ₃")]), path)
-    run = theditor("check", path, env={**os.environ, "PYTHONIOENCODING": "ascii"})
-    assert run.returncode == 0
-    assert "\\u03bb\\u2083: cubic" in run.stdout
+def test_check_in_json_is_valid_json_where_a_curve_stands_still(capsysbinary, tmp_path):
+    save(Drawing([Item(Curve([[0, 0]] * 4, degree=2), "�")]), tmp_path / "still.json")
+    assert main(["check", "--json", str(tmp_path / "still.json")]) == 0
+    ((curve,),) = (each["curves"] for each in json.loads(capsysbinary.readouterr().out))
+    assert curve["name"] == "�"
+    assert curve["joints"][0]["remark"].startswith("The curve stands still here")

@@ -1,0 +1,45 @@
+"""What the commands that deal with foreign formats have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from theditor.cli import UsageError
+from theditor.cli.streams import STANDARD
+from theditor.drawing import DrawingError, shown
+from theditor.exchange import Options
+
+
+def names(suffixes: Sequence[str]) -> str:
+    """Return what formats are called on the command line: ``svg, csv``."""
+    return ", ".join(suffix.removeprefix(".") for suffix in suffixes)
+
+
+def chosen_suffix(wanted: str | None, name: str, known: Sequence[str]) -> str:
+    """Return the suffix of the format that is asked for, else that of a file; UsageError if it is not known."""
+    if wanted is not None:
+        suffix = f".{wanted.lower().removeprefix('.')}"
+        problem = f"--format must be one of {names(known)}, not {wanted!a}"
+    elif name == STANDARD:
+        suffix, problem = "", f"- has no suffix: say --format, one of {names(known)}"
+    else:
+        suffix = Path(name).suffix.lower()
+        problem = f"the suffix of {shown(name)} is none of {names(known)}: say --format"
+    if suffix not in known:
+        raise UsageError(problem)
+    return suffix
+
+
+def checked_options(**values: Any) -> Options:
+    """Return the options; UsageError if a value is none."""
+    try:
+        return Options(**values)
+    except DrawingError as error:
+        raise UsageError(str(error).removesuffix(".")) from None
+
+
+def deviation(size: float) -> str:
+    """Say how far what was written or read is from the original."""
+    return "exact" if size == 0 else f"the largest deviation is {size:.2g}"
