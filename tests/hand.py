@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent, QWheelEvent
+from PySide6.QtGui import QMouseEvent, QNativeGestureEvent, QPointingDevice, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 NONE = Qt.KeyboardModifier.NoModifier
@@ -62,17 +62,30 @@ class Hand:
         self.button = Qt.MouseButton.NoButton
         self._send(QEvent.Type.MouseButtonRelease, pixels[-1], button, self.button, keys)
 
-    def wheel(self, point, notches):
+    def wheel(self, point, notches=0, pixels=(0, 0), keys=NONE):
+        """Turn the wheel by notches, or move two fingers on a touchpad by pixels."""
+        touchpad = any(pixels)
+        phase = Qt.ScrollPhase.ScrollUpdate if touchpad else Qt.ScrollPhase.NoScrollPhase
+        turned = (8 * pixels[0], 8 * pixels[1]) if touchpad else (0, 120 * notches)
         at = QPointF(*self.pixel(point))
         viewport = self.canvas.viewport()
         event = QWheelEvent(
             at,
             QPointF(viewport.mapToGlobal(at.toPoint())),
-            QPoint(0, 0),
-            QPoint(0, 120 * notches),
+            QPoint(*pixels),
+            QPoint(*turned),
             Qt.MouseButton.NoButton,
-            NONE,
-            Qt.ScrollPhase.NoScrollPhase,
+            keys,
+            phase,
             False,
         )
+        QApplication.sendEvent(viewport, event)
+
+    def pinch(self, point, growth):
+        """Spread two fingers on a touchpad, or bring them together."""
+        at, viewport = QPointF(*self.pixel(point)), self.canvas.viewport()
+        place = QPointF(viewport.mapToGlobal(at.toPoint()))
+        device = QPointingDevice.primaryPointingDevice()
+        kind = Qt.NativeGestureType.ZoomNativeGesture
+        event = QNativeGestureEvent(kind, device, 2, at, at, place, growth, QPointF())
         QApplication.sendEvent(viewport, event)

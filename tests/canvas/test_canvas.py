@@ -236,3 +236,25 @@ def test_empty_and_extreme_drawings_are_painted(canvas):
         canvas.document.start(drawing)
         canvas.fit()
         assert not canvas.grab().isNull()
+
+
+def test_two_fingers_pan_and_zoom_with_ctrl_or_when_they_are_spread(canvas, hand):
+    place = np.array(POINTS[2], dtype=float)
+    scale, before = canvas.plane.scale, hand.pixel(place)
+    hand.wheel(place, pixels=(30, -20))
+    assert hand.pixel(place) == pytest.approx(before + [30, -20])
+    assert canvas.plane.scale == pytest.approx(scale)
+    before = hand.pixel(place)
+    hand.wheel(place, pixels=(0, 15), keys=CTRL)
+    hand.pinch(place, 0.5)
+    assert hand.pixel(place) == pytest.approx(before)
+    assert canvas.plane.scale == pytest.approx(scale * 1.25 * 1.5)
+
+
+@pytest.mark.parametrize("place", [POINTS[2], "curve"])
+def test_a_press_on_a_locked_curve_says_why_nothing_moves(canvas, hand, place, qtbot):
+    drawing = canvas.document.drawing
+    canvas.document.apply("Lock", drawing.with_item(0, drawing[0].with_(locked=True)))
+    with qtbot.waitSignal(canvas.announce) as told:
+        hand.press(drawing[0].curve(1.5) if place == "curve" else place)
+    assert told.args == ["“one” is locked: unlock it in the list of curves to change it."]

@@ -36,10 +36,11 @@ _MOUSE = (
     ("Tab, Shift+Tab, F6", "Step through the points; leave"),
     ("Arrow keys", "Nudge; Shift: ten steps, Ctrl: a pixel"),
     ("Enter, Backspace", "With the pen: end, take a point back"),
-    ("Shift", "Add to the selection; suspend snapping"),
+    ("Shift", "Add points and curves; suspend snapping"),
     ("Ctrl", "Keep to the horizontal or vertical"),
     ("Escape", "Take a drag back; select nothing"),
-    ("Wheel", "Zoom at the pointer"),
+    ("Wheel, pinch", "Zoom at the pointer"),
+    ("Two fingers", "Pan; with Ctrl: zoom"),
     ("Space or middle button", "Pan"),
     ("Right button, menu key", "What can be done here"),
 )

@@ -58,6 +58,17 @@ def pick(
     return hits
 
 
+def locked_at(
+    at: Floats, drawing: Drawing, current: int, curves: CurvesPainter, plane: Viewport
+) -> int | None:
+    """The topmost locked curve at a pixel; of the current one the handles count, too."""
+    curves.update(drawing)
+    near = [i for i in curves.near(at, REACH, plane) if drawing[i].locked]
+    if current >= 0 and drawing[current].visible and drawing[current].locked:
+        near += [current] * bool(near_points(curves.plane_curve(current).control_points, at, plane))
+    return max(near, default=None)
+
+
 def _topmost_first(found: list[tuple[float, SegmentHit]]) -> list[SegmentHit]:
     """Order places: each goes before those after it, unless one of these is nearer by more than the favour."""
     rest, ordered = list(found), []

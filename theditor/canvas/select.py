@@ -18,7 +18,7 @@ from theditor.canvas.hit_test import (
     parameter_of,
 )
 from theditor.canvas.nudge import ARROWS, nudge
-from theditor.canvas.picking import Key, key_of, pick
+from theditor.canvas.picking import Key, key_of, locked_at, pick
 from theditor.canvas.projection import projected
 from theditor.canvas.shaping import PullCurve, SlideJoint
 from theditor.canvas.snapping import Snapped
@@ -26,7 +26,7 @@ from theditor.canvas.tool import Bench, Keys
 from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pointer, Still
 from theditor.canvas.transform import Box, Transform, box_around, pick_box
 from theditor.canvas.viewport import Floats, Viewport
-from theditor.model.words import indexed, number
+from theditor.model.words import indexed, locked_reason, number
 
 
 class SelectTool:
@@ -79,9 +79,19 @@ class SelectTool:
         self._beneath = held is not None and not (pointer.shift or pointer.ctrl)
         current, chosen = bench.selection.curve, held or next(iter(hits), None)
         self._pressed = key_of(chosen, current)
+        if chosen is None:
+            self._explain_lock(pointer)
         drag = self._drag_for(chosen, pointer)
         self._made_current = bench.selection.curve != current
         return drag
+
+    def _explain_lock(self, pointer: Pointer) -> None:
+        """Say why nothing is taken hold of, if what is pressed is locked."""
+        bench = self._bench
+        drawing, current = bench.document.drawing, bench.selection.curve
+        locked = locked_at(pointer.at, drawing, current, bench.curves, pointer.plane)
+        if locked is not None:
+            bench.say(locked_reason(drawing[locked].name))
 
     def _again(self, pointer: Pointer) -> bool:
         """Whether the last click was here, in the same view."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QRectF
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtCore import QEvent, QRectF, Qt
+from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from theditor.canvas.viewport import Floats, Viewport
@@ -13,6 +13,8 @@ from theditor.model import unbreakable
 from theditor.spline import MAX_COORDINATE
 
 ZOOM_STEP = 1.25
+NOTCH = 120
+"""What a notch of a wheel counts."""
 WIDEST = 1e13
 """The largest part of the plane that is shown, in units; coordinates end at 10¹²."""
 
@@ -67,8 +69,32 @@ class PlaneView(pg.GraphicsView):
         if not ((pixel >= 0) & (pixel <= (plane.width, plane.height))).all():
             self.show_view(float(point[0]), float(point[1]), plane.scale)
 
+    def pan(self, pixels: Floats) -> None:
+        """Move the picture by pixels (2,), y downward."""
+        plane = self.plane
+        x, y = (pixels / plane.scale).tolist()
+        self.show_view(plane.x - x, plane.y + y, plane.scale)
+
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Zoom at the pointer."""
+        """Zoom at the pointer; two fingers on a touchpad pan, and zoom with Ctrl."""
         event.accept()
-        position = event.position()
-        self.zoom(ZOOM_STEP ** (event.angleDelta().y() / 120), np.array([position.x(), position.y()]))
+        fine, coarse, position = event.pixelDelta(), event.angleDelta(), event.position()
+        touchpad = (
+            event.phase() != Qt.ScrollPhase.NoScrollPhase
+            or event.device().type() == QInputDevice.DeviceType.TouchPad
+            or not fine.isNull()
+        )
+        if touchpad and not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
+            moved = fine if not fine.isNull() else coarse / 2
+            self.pan(np.array([moved.x(), moved.y()], dtype=np.float64))
+        else:
+            self.zoom(ZOOM_STEP ** (coarse.y() / NOTCH), np.array([position.x(), position.y()]))
+
+    def viewportEvent(self, event: QEvent) -> bool:
+        """Zoom where two fingers are spread or pinched on a touchpad."""
+        if not isinstance(event, QNativeGestureEvent):
+            return bool(super().viewportEvent(event))
+        if event.gestureType() == Qt.NativeGestureType.ZoomNativeGesture:
+            position = event.position()
+            self.zoom(max(1.0 + event.value(), 0.1), np.array([position.x(), position.y()]))
+        return True
