@@ -43,8 +43,8 @@ class Options:
         segments with dashes of its own: trigonometric ones whole, hyperbolic ones dashed, interpolating ones
         dash-dotted, blends dotted.
     sampling
-        Where a CSV takes its points: at equal steps of the parameter, at equal arc lengths, or as sparsely as
-        chords within the tolerance allow.
+        Where a CSV takes its points: at equal steps of the parameter, at equal arc lengths, or so densely that
+        chords are within the tolerance.
     samples
         Steps of a CSV: for each segment if by parameter, for each curve if by length.
     tangent, curvature
