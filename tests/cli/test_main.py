@@ -71,6 +71,14 @@ def test_wrong_usage_ends_with_2_and_the_usage(capsys, arguments):
     assert capsys.readouterr().err.startswith("usage: theditor")
 
 
+def test_a_mistyped_command_is_told_instead_of_opened(capsys):
+    with pytest.raises(SystemExit) as caught:
+        main(["exprot", "a.json", "b.svg"])
+    assert caught.value.code == 2
+    last = capsys.readouterr().err.splitlines()[-1]
+    assert last == "theditor: error: there is no command and no file 'exprot': did you mean export?"
+
+
 def test_version_and_help():
     assert theditor("--version").stdout.split()[0] == "theditor"
     help_text = theditor("--help").stdout

@@ -6,6 +6,7 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
+from difflib import get_close_matches
 from importlib import import_module
 from typing import Final, NamedTuple
 
@@ -111,9 +112,19 @@ def _open(arguments: Sequence[str]) -> int:
 
         print(f"theditor {version()}")
         return 0
+    if hint := _mistyped(arguments):
+        parser.error(hint)
     from theditor.cli.window import open_window
 
     return open_window(options.files)
+
+
+def _mistyped(words: Sequence[str]) -> str:
+    """Return what to say of a first word that looks like a command; nothing if it is a file or looks like one."""
+    if not words or "." in words[0] or os.path.exists(words[0]):
+        return ""
+    near = get_close_matches(words[0], COMMANDS, 1)
+    return f"there is no command and no file {words[0]!a}: did you mean {near[0]}?" if near else ""
 
 
 def _silence_output() -> None:

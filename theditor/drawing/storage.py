@@ -10,6 +10,7 @@ import stat
 import time
 from contextlib import suppress
 from pathlib import Path
+from typing import BinaryIO
 
 from theditor.drawing.drawing import Drawing, DrawingError
 from theditor.drawing.schema import decode, encode
@@ -181,7 +182,7 @@ def _replace(target: Path, data: bytes) -> None:
     _sweep(target.parent)
     temporary = target.with_name(f"{_PREFIX}{os.urandom(8).hex()}{_SUFFIX}")
     try:
-        with temporary.open("xb") as file:
+        with _new(temporary) as file:
             if old is not None:
                 _copy_permissions(target, old, temporary)
             file.write(data)
@@ -195,12 +196,20 @@ def _replace(target: Path, data: bytes) -> None:
     _sync_folder(target.parent)
 
 
+def _new(path: Path) -> BinaryIO:
+    try:
+        return path.open("xb")
+    except PermissionError:
+        raise OSError("permission is denied to make files in its folder, which saving needs") from None
+
+
 def _copy_permissions(target: Path, status: os.stat_result, temporary: Path) -> None:
     """Give a file, while it is still empty, the owner, mode and extended attributes of another."""
     with suppress(OSError, AttributeError):  # only root gives files away, and not every system knows owners
         os.chown(temporary, status.st_uid, status.st_gid)
     with suppress(OSError):  # a file system without permissions has none to keep
         shutil.copystat(target, temporary)
+        os.utime(temporary)  # `_sweep` goes by its age
 
 
 def _sweep(folder: Path) -> None:
