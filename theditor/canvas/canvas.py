@@ -124,7 +124,7 @@ class Canvas(PlaneView):
     def set_shown(self, **what: Any) -> None:
         """Show or hide parts, by the names in `Shown`."""
         self._shown = replace(self._shown, **what)
-        self._legend.setVisible(self._shown.legend and self._shown.modes)
+        self._show_legend()
         self.viewport().update()
 
     @property
@@ -227,6 +227,12 @@ class Canvas(PlaneView):
             self.fit()
         self._legend.resize(self._legend.sizeHint())
         self._legend.move((self.width() - self._legend.width()) // 2, 12)
+        self._show_legend()
+
+    def _show_legend(self) -> None:
+        """Show the legend if it is wanted and fits."""
+        shown = self._shown
+        self._legend.setVisible(shown.legend and shown.modes and self._legend.width() <= self.width())
 
     # The mouse and the keys
 

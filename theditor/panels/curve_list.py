@@ -10,6 +10,7 @@ from PySide6.QtCore import (
     QPointF,
     QRect,
     QRectF,
+    QSize,
     Qt,
     Signal,
 )
@@ -31,6 +32,7 @@ from theditor.panels.parts import MARGIN
 from theditor.panels.rows import ROW_HEIGHT, SWATCH, RowList, paint_ground, paint_swatch, swatch_outline
 
 _ICON = 20
+_LEAST_ROWS = 3
 _STRIPE = 3
 """Width of the stripe that marks the current curve, one of several selected ones."""
 
@@ -147,6 +149,12 @@ class CurveList(RowList):
         self.setItemDelegate(_CurveDelegate(self))
         self._dragged = self._gap = -1
         self._pressed_at = 0
+
+    def minimumSizeHint(self) -> QSize:
+        """High enough for some rows, if there are so many: several can be selected."""
+        model = self.model()
+        rows = min(max(model.rowCount() if model is not None else 0, 1), _LEAST_ROWS)
+        return QSize(super().minimumSizeHint().width(), rows * ROW_HEIGHT + 2 * self.frameWidth())
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Click eye or lock without changing the current curve; elsewhere select."""
