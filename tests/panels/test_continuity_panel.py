@@ -74,6 +74,7 @@ def test_a_joint_without_velocity_is_noted_and_breaks_no_promise(panel, document
 def test_a_broken_promise_is_seen(panel, document, monkeypatch):
     # With no room for rounding, the measured jumps themselves break the promise.
     monkeypatch.setattr(module, "continuity", partial(continuity, tolerance=0.0))
+    document.start(Drawing())
     points = [[-2.1, 7.0], [1.0, -9.3], [5.2, 4.5], [6.8, -6.5], [-8.2, 7.1], [-9.5, 0.8]]
     document.start(Drawing([Item(Curve(points, [0.6, 2.1, -2.7, -1.5, 5.0, 4.8]))]))
     assert panel.heading.text().startswith("2 of 2 joints fail the promised C² within 0 of the size")
@@ -148,17 +149,25 @@ def test_rows_follow_a_drag(panel, document):
     assert cell(panel, 4, POSITION) == before
 
 
-def test_a_very_long_curve_is_measured_when_the_hand_lets_go(panel, document):
+def test_of_a_very_long_curve_only_what_changed_is_measured_again(panel, document):
     long = Curve(np.c_[np.arange(MOST_LIVE + 9), np.arange(MOST_LIVE + 9) % 2])
     document.start(Drawing([Item(long)]))
     assert panel.model.rowCount() == MOST_LIVE + 5
-    report = panel.model.report
+    told = []
+    panel.model.dataChanged.connect(lambda first, last: told.append((first.row(), last.row())))
     gesture = document.begin("Move")
-    gesture.preview(document.drawing.with_curve(0, long.with_points(5, [5.0, 9.0])))
+    moved = long.with_points(5, [5.0, 9.0])
+    gesture.preview(document.drawing.with_curve(0, moved))
+    assert told == [(1, 5)]
+    assert cell(panel, 3, POSITION) == f"({moved.joints[4][0]:g}, {moved.joints[4][1]:g})"
+    gesture.cancel()
+    # Where all of it changes, it waits until the hand lets go.
+    gesture, report = document.begin("Move"), panel.model.report
+    gesture.preview(document.drawing.with_curve(0, long.with_(control_points=long.control_points + 1)))
     assert panel.model.report is report
     gesture.commit()
     assert panel.model.report is not report
-    assert cell(panel, 3, POSITION) != f"({long.joints[4][0]:g}, {long.joints[4][1]:g})"
+    assert cell(panel, 3, POSITION) == f"({long.joints[4][0] + 1:g}, {long.joints[4][1] + 1:g})"
 
 
 def test_nothing_is_measured_while_nobody_sees_it(document, selection, qtbot, monkeypatch):

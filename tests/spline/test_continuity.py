@@ -8,6 +8,7 @@ from spline_strategies import curves, scale
 
 from theditor.spline import JOINT_SLOPE_ZERO, Curve, basis, continuity, curvature, known
 from theditor.spline.certificate import remarkable, summary, table
+from theditor.spline.continuity import measured_again
 
 ZIGZAG = [(0, 0), (1, 2), (3, -1), (4, 1), (6, 0)]
 
@@ -42,6 +43,20 @@ def test_jumps_are_those_of_the_curve_and_its_curvature(curve):
     if curve.dimension == 2:
         jump = reports.curvature_right - reports.curvature_left
         np.testing.assert_array_equal(reports.curvature_jump, jump)
+
+
+@given(curves(low=-5, high=5), st.integers(0, 8), st.booleans())
+def test_measuring_again_what_changed_gives_the_whole_report(curve, place, lam):
+    place %= len(curve.lambdas)
+    new = (
+        curve.with_lambdas(place, -3.0) if lam else curve.with_points(place, curve.control_points[place] + 1)
+    )
+    again, rows = measured_again(continuity(curve), curve, new)
+    whole, before = continuity(new), continuity(curve)
+    for name in vars(whole):
+        np.testing.assert_array_equal(getattr(again, name), getattr(whole, name))
+    others = np.setdiff1d(np.arange(len(whole)), rows)
+    np.testing.assert_array_equal(whole.relative_jumps[others], before.relative_jumps[others])
 
 
 @pytest.mark.parametrize("degree", [2, 3])

@@ -10,12 +10,13 @@ from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QTableView
 from theditor.model import Document, Selection, unbreakable
 from theditor.panels.continuity_model import ContinuityModel
 from theditor.panels.parts import MARGIN, describe, heading, tabular
-from theditor.spline import Curve, continuity
+from theditor.spline import Curve, changed_segments, continuity
 from theditor.spline.certificate import summary
+from theditor.spline.continuity import measured_again
 
 EMPTY = "There is no curve yet."
 MOST_LIVE = 5000
-"""Longer curves, in segments, are measured when the hand lets go of them."""
+"""If more segments change while a hand is on the drawing, they are measured when it lets go."""
 _ROW_HEIGHT = 24
 _WIDTHS = (46, 116, 78, 72, 72, 72, 76, 124)
 _POSITION = 1  # takes the room that is left, for its text has no fixed length
@@ -78,16 +79,27 @@ class ContinuityPanel(QWidget):
             return
         item = self._selection.item
         curve = item.curve if item is not None else None
-        in_hand = self._document.before is not None
-        long = curve is not None and curve.segment_count > MOST_LIVE
-        if curve is not self._curve and not (long and in_hand):
-            self._curve = curve
-            report = continuity(curve) if curve is not None else None
+        if curve is not self._curve and not (self._document.before is not None and self._takes_long(curve)):
+            old, self._curve = self._curve, curve
+            report, rows = self.model.report, None
+            if curve is None:
+                report = None
+            elif old is None or report is None:
+                report = continuity(curve)
+            else:
+                report, rows = measured_again(report, old, curve)
             self._following = True
-            self.model.show_report(report)
+            self.model.show_report(report, rows)
             self._following = False
             self.heading.setText(EMPTY if report is None else _sentence(summary(report)))
         self._mark_row()
+
+    def _takes_long(self, curve: Curve | None) -> bool:
+        """Whether very many joints are to be measured."""
+        if curve is None or curve.segment_count <= MOST_LIVE:
+            return False
+        changed = changed_segments(self._curve, curve) if self._curve is not None else None
+        return changed is None or len(changed) > MOST_LIVE
 
     def _mark_row(self) -> None:
         """Select the row of the joint that belongs to the selected control point, if there is just one."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QAbstractTableModel, QObject, Qt
 
 from theditor.model.item_index import NO_INDEX, ModelIndex
@@ -16,16 +18,25 @@ class ContinuityModel(QAbstractTableModel):
         super().__init__(parent)
         self.report: Continuity | None = None
 
-    def show_report(self, report: Continuity | None) -> None:
-        """Show other measurements; rows stay what they are if they are as many as before."""
+    def show_report(self, report: Continuity | None, rows: NDArray[np.intp] | None = None) -> None:
+        """Show other measurements; rows stay what they are if they are as many as before.
+
+        Parameters
+        ----------
+        rows
+            Those that may be others, ascending; by default all.
+        """
         if report is None or self.report is None or len(report) != len(self.report):
             self.beginResetModel()
             self.report = report
             self.endResetModel()
         else:
             self.report = report
-            if len(report):
-                self.dataChanged.emit(self.index(0, 0), self.index(len(report) - 1, len(COLUMNS) - 1))
+            changed = np.arange(len(report)) if rows is None else rows
+            if changed.size:
+                self.dataChanged.emit(
+                    self.index(int(changed[0]), 0), self.index(int(changed[-1]), len(COLUMNS) - 1)
+                )
 
     def rowCount(self, parent: ModelIndex = NO_INDEX) -> int:
         """Return the number of joints."""

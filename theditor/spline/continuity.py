@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -12,11 +12,19 @@ from theditor.spline import joints
 from theditor.spline.basis import JOINT_SLOPE_ZERO, Floats, basis
 from theditor.spline.curvature import stands_still
 from theditor.spline.curve import Curve
+from theditor.spline.distinct import distinct
 from theditor.spline.guards import reversed_joints
+from theditor.spline.sampling import changed_segments
 from theditor.spline.turns import cross, speed_scale
 
 _ORDERS: Final = {-1: "not even continuous", 0: "⁰", 1: "¹", 2: "²"}
 _SIDES: Final[tuple[Literal["left", "right"], ...]] = ("left", "right")
+_BLOCK: Final = 4096
+_ARRAYS: Final = (
+    *("position", "jumps", "relative_jumps", "order", "geometric_order"),
+    *("curvature_left", "curvature_right", "curvature_jump", "still", "stopped_by_lambda"),
+)
+"""What is measured at each joint."""
 _MEASURED: Final = ("position", "first derivative", "second derivative")
 
 
@@ -153,53 +161,43 @@ def continuity(curve: Curve, tolerance: float = 1e-9) -> Continuity:
     if not tolerance >= 0:
         raise ValueError(f"tolerance must be a number of at least 0, not {tolerance!r}")
     at = np.arange(0 if curve.closed else 1, curve.segment_count)
-    number = (at + curve.first_segment) % len(curve.control_points)
-    left, right = _sides(curve, at)
-    jumps = np.stack([_length(b - a) for a, b in zip(left, right, strict=True)], axis=-1)
-    before = joints.take_segments(curve, (at - 1) % curve.segment_count)
-    scale = np.maximum(speed_scale(before), speed_scale(joints.take_segments(curve, at)))
-    sizes = np.stack((np.maximum(scale, np.abs(right[0]).max(axis=-1, initial=0)), scale, scale), axis=-1)
-    agree = jumps <= tolerance * sizes
-    still = np.logical_or(*(stands_still(curve, at, name) for name in _SIDES))
-    speed = np.minimum(_length(left[1]), _length(right[1]))
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        tangents, curvatures = zip(
-            *(_tangent_and_curvature(*side[1:]) for side in (left, right)), strict=True
-        )
-        turned, bent = _length(tangents[1] - tangents[0]), _length(curvatures[1] - curvatures[0])
-        kappa = [
-            np.where(stands_still(curve, at, name), np.nan, _signed(tangent, bend))
-            for name, tangent, bend in zip(_SIDES, tangents, curvatures, strict=True)
-        ]
-        g1 = ~still & (turned <= tolerance * scale / speed)
-        g2 = bent <= tolerance * np.maximum(scale / speed**2, _length(curvatures[1]))
-    # A cubic's velocity does not depend on λ.
-    by_lambda = (curve.degree == 2) & (np.abs(curve.lambdas[number] - JOINT_SLOPE_ZERO) < 1e-12)
+    return _report(curve, tolerance, at, _measured(curve, at, tolerance))
+
+
+def measured_again(report: Continuity, old: Curve, new: Curve) -> tuple[Continuity, NDArray[np.intp]]:
+    """Return the report of a curve made from that of another one, and its rows whose joints were measured again.
+
+    Only joints of segments that differ are; the report is the same as that of `continuity`.
+    """
+    changed = changed_segments(old, new)
+    if changed is None or 2 * len(changed) > len(report):
+        again = continuity(new, report.tolerance)
+        return again, np.arange(len(again))
+    first, count = 0 if new.closed else 1, new.segment_count
+    beside = np.concatenate((changed, (changed + 1) % count if new.closed else changed + 1))
+    at = distinct(beside[(beside >= first) & (beside < count)])
+    rows = at - first
+    arrays = {name: getattr(report, name).copy() for name in _ARRAYS}
+    for name, values in _measured(new, at, report.tolerance).items():
+        arrays[name][rows] = values
+    return _report(new, report.tolerance, report.joint, arrays), rows
+
+
+def _report(curve: Curve, tolerance: float, at: NDArray[np.intp], measured: dict[str, Any]) -> Continuity:
     return Continuity(
         joint=at,
-        number=number,
-        position=curve(at),
-        jumps=jumps,
-        relative_jumps=np.divide(jumps, sizes, out=np.zeros_like(jumps), where=sizes > 0),
-        order=_leading(agree),
-        geometric_order=_leading(np.stack((agree[:, 0], g1, g2), axis=-1)),
-        curvature_left=kappa[0],
-        curvature_right=kappa[1],
-        curvature_jump=kappa[1] - kappa[0] if curve.dimension == 2 else np.where(still, np.nan, bent),
-        still=still,
-        stopped_by_lambda=by_lambda,
+        number=(at + curve.first_segment) % len(curve.control_points),
         reversals={each.joint: each.reason for each in reversed_joints(curve)},
         promised=curve.degree - 1,
         tolerance=tolerance,
+        **measured,
     )
 
 
-def _sides(curve: Curve, at: NDArray[np.intp]) -> tuple[list[Floats], list[Floats]]:
-    """Return position, first and second derivative just before and just after joints, (k, d) each.
-
-    By the definition, basis functions times control points: evaluation takes a form in which both sides of a
-    joint are one and the same sum, which could show no jump.
-    """
+def _measured(curve: Curve, at: NDArray[np.intp], tolerance: float) -> dict[str, Any]:
+    """Measure joints, block by block so that the intermediate results stay in the cache."""
+    if 8 * len(at) > curve.segment_count:
+        _ = curve.joint_form  # made once, not for each block
     points, count = curve.control_points, len(curve.control_points)
     if curve.closed:
         points = points[np.arange(-1, count + curve.degree - 1) % count]
@@ -209,16 +207,69 @@ def _sides(curve: Curve, at: NDArray[np.intp]) -> tuple[list[Floats], list[Float
     defining = sliding_window_view(points, curve.degree + 1, axis=0)
     # A clamped cubic has no use for the λ at its ends.
     lambdas = np.where(curve.active_lambdas, curve.lambdas, 0.0)
+    blocks = [
+        _measured_block(curve, at[start : start + _BLOCK], tolerance, defining, lambdas)
+        for start in range(0, max(len(at), 1), _BLOCK)
+    ]
+    return {name: np.concatenate([block[name] for block in blocks]) for name in _ARRAYS}
 
-    def side(segments: NDArray[np.intp], t: float) -> list[Floats]:
-        own = defining[segments]
-        # The weights of derivatives sum to 0: edges give the same, with less rounding far from the origin.
-        polygons = own, own - own[..., 1:2], own - own[..., 1:2]
-        start, end = (lambdas[(segments + curve.first_segment + step) % count] for step in (0, 1))
-        weights = (basis(t, start, end, curve.degree, nu) for nu in range(3))
-        return [np.einsum("kj,kdj->kd", *pair) for pair in zip(weights, polygons, strict=True)]
 
-    return side((at - 1) % curve.segment_count, 1.0), side(at, 0.0)
+def _measured_block(
+    curve: Curve, at: NDArray[np.intp], tolerance: float, defining: Floats, lambdas: Floats
+) -> dict[str, Any]:
+    left, right = (
+        _side(curve, segments, t, defining, lambdas)
+        for segments, t in (((at - 1) % curve.segment_count, 1.0), (at, 0.0))
+    )
+    jumps = np.stack([_length(b - a) for a, b in zip(left, right, strict=True)], axis=-1)
+    before = joints.take_segments(curve, (at - 1) % curve.segment_count)
+    scale = np.maximum(speed_scale(before), speed_scale(joints.take_segments(curve, at)))
+    sizes = np.stack((np.maximum(scale, np.abs(right[0]).max(axis=-1, initial=0)), scale, scale), axis=-1)
+    agree = jumps <= tolerance * sizes
+    stops = [stands_still(curve, at, name) for name in _SIDES]
+    still = np.logical_or(*stops)
+    speed = np.minimum(_length(left[1]), _length(right[1]))
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        tangents, curvatures = zip(
+            *(_tangent_and_curvature(*side[1:]) for side in (left, right)), strict=True
+        )
+        turned, bent = _length(tangents[1] - tangents[0]), _length(curvatures[1] - curvatures[0])
+        kappa = [
+            np.where(stop, np.nan, _signed(tangent, bend))
+            for stop, tangent, bend in zip(stops, tangents, curvatures, strict=True)
+        ]
+        g1 = ~still & (turned <= tolerance * scale / speed)
+        g2 = bent <= tolerance * np.maximum(scale / speed**2, _length(curvatures[1]))
+    own = curve.lambdas[(at + curve.first_segment) % len(curve.control_points)]
+    return {
+        "position": curve(at),
+        "jumps": jumps,
+        "relative_jumps": np.divide(jumps, sizes, out=np.zeros_like(jumps), where=sizes > 0),
+        "order": _leading(agree),
+        "geometric_order": _leading(np.stack((agree[:, 0], g1, g2), axis=-1)),
+        "curvature_left": kappa[0],
+        "curvature_right": kappa[1],
+        "curvature_jump": kappa[1] - kappa[0] if curve.dimension == 2 else np.where(still, np.nan, bent),
+        "still": still,
+        # A cubic's velocity does not depend on λ.
+        "stopped_by_lambda": (curve.degree == 2) & (np.abs(own - JOINT_SLOPE_ZERO) < 1e-12),
+    }
+
+
+def _side(
+    curve: Curve, segments: NDArray[np.intp], t: float, defining: Floats, lambdas: Floats
+) -> list[Floats]:
+    """Return position, first and second derivative at one end of segments, (k, d) each.
+
+    By the definition, basis functions times control points: evaluation takes a form in which both sides of a
+    joint are one and the same sum, which could show no jump.
+    """
+    own = defining[segments]
+    # The weights of derivatives sum to 0: edges give the same, with less rounding far from the origin.
+    edges = own - own[..., 1:2]
+    start, end = (lambdas[(segments + curve.first_segment + step) % len(lambdas)] for step in (0, 1))
+    weights = (basis(t, start, end, curve.degree, nu) for nu in range(3))
+    return [np.einsum("kj,kdj->kd", *pair) for pair in zip(weights, (own, edges, edges), strict=True)]
 
 
 def _signed(tangent: Floats, bend: Floats) -> Floats:
@@ -234,7 +285,7 @@ def _tangent_and_curvature(velocity: Floats, bend: Floats) -> tuple[Floats, Floa
 
 
 def _length(vectors: Floats) -> Floats:
-    return np.asarray(np.linalg.norm(vectors, axis=-1))
+    return np.asarray(np.sqrt(np.einsum("kd,kd->k", vectors, vectors)))
 
 
 def _leading(agree: NDArray[np.bool_]) -> NDArray[np.intp]:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from theditor.spline.basis import CONVEX_HULL_RANGE, JOINT_SLOPE_ZERO, Floats, basis
 from theditor.spline.curve import Curve
+from theditor.spline.joints import take_segments
 from theditor.spline.shape import BEND_ROUNDING, defining_points
 
 _NEGATIVE: Final = 1e-12  # of max(1, |λ|): a basis function less than this below zero is not negative
@@ -84,17 +85,19 @@ def reversed_joints(curve: Curve) -> tuple[ReversedJoint, ...]:
     Below it a quadratic's velocity is reversed, and a cubic's second derivative; at it they vanish. Joints
     where they vanish for every λ, because control points coincide or are evenly spaced, are left out.
     """
-    parts = curve.joint_form
-    bends = parts.bend_start if curve.closed else np.append(parts.bend_start, parts.bend_end[:, -1:], axis=1)
+    last = curve.segment_count
+    joints = np.arange(last + (not curve.closed))
+    points = (joints + curve.first_segment) % len(curve.control_points)
+    suspect = np.flatnonzero(curve.active_lambdas[points] & (curve.lambdas[points] <= JOINT_SLOPE_ZERO))
+    beside = take_segments(curve, np.minimum(suspect, last - 1))
+    bends = np.where(suspect < last, beside.bend_start, beside.bend_end)
     bent = np.abs(bends).max(axis=0) > BEND_ROUNDING * np.abs(curve.control_points).max()
-    points = (np.arange(len(bent)) + curve.first_segment) % len(curve.control_points)
-    lambdas = curve.lambdas[points]
-    found = np.flatnonzero(bent & curve.active_lambdas[points] & (lambdas <= JOINT_SLOPE_ZERO))
-    last = None if curve.closed else curve.segment_count
+    found = suspect[bent]
+    ends = () if curve.closed else (0, last)
     return tuple(
-        ReversedJoint(point, joint, _what_happens(curve.degree, point, lam, joint in (0, last)))
+        ReversedJoint(point, joint, _what_happens(curve.degree, point, lam, joint in ends))
         for point, joint, lam in zip(
-            points[found].tolist(), found.tolist(), lambdas[found].tolist(), strict=True
+            points[found].tolist(), found.tolist(), curve.lambdas[points[found]].tolist(), strict=True
         )
     )
 
