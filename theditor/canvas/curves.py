@@ -14,7 +14,7 @@ from theditor.canvas.chords import ChordTree
 from theditor.canvas.lines import clipped, draw_lines
 from theditor.canvas.projection import projected
 from theditor.canvas.trace import TOLERANCE, Stroke, strokes
-from theditor.canvas.viewport import Floats, Viewport
+from theditor.canvas.viewport import Area, Floats, Viewport
 from theditor.drawing import Drawing, Item
 from theditor.model.colours import Colours
 from theditor.spline import Curve, Mode
@@ -93,11 +93,15 @@ class CurvesPainter:
         *,
         by_mode: bool,
         without: Mapping[int, Ints] | None = None,
+        area: Area | None = None,
     ) -> None:
-        """Paint all curves, the current one last, so that it lies on top; without some segments of some."""
+        """Paint all curves, the current one last, so that it lies on top.
+
+        Some segments of some may be left out; what lies outside an area in pixels may be, too.
+        """
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         margin = 8.0 + max((drawing[i].width for i in self._places), default=0.0) / 2
-        low, high = viewport.window(margin)
+        low, high = viewport.window(margin, area)
         tolerance = TOLERANCE if self._tree.size <= CROWDED else CROWDED_TOLERANCE
         ratio = painter.device().devicePixelRatioF()
         top = self._places.get(current, -1)

@@ -67,7 +67,7 @@ def detail(curve: Curve, viewport: Viewport, visible: Ints) -> Detail:
     """What can be told apart in a view that shows some segments of a plane curve."""
     points = points_inside(curve.control_points, viewport)
     counts = len(points), len(visible)
-    if len(points) > FEW and _crowd(viewport.to_pixels(curve.control_points[points])) > MOST_IN_SQUARE:
+    if len(points) > FEW and _crowd(curve.control_points[points], viewport) > MOST_IN_SQUARE:
         return Detail(*counts, handles=False, dashed=False, joints=False)
     meetings = curve(distinct(np.concatenate([visible, visible + 1])))
     meetings = meetings[points_inside(meetings, viewport)]
@@ -75,11 +75,13 @@ def detail(curve: Curve, viewport: Viewport, visible: Ints) -> Detail:
     return Detail(*counts, handles=True, dashed=len(visible) <= MOST_DASHED, joints=not crowded)
 
 
-def _crowd(pixels: Floats) -> float:
-    """How many of some places share a square on average, of those squares that have any."""
-    columns, rows = np.floor((pixels - pixels.min(axis=0)) / SQUARE).astype(np.intp).T
-    width = int(columns.max()) + 1
-    return len(pixels) / np.count_nonzero(np.bincount(rows * width + columns))
+def _crowd(points: Floats, viewport: Viewport) -> float:
+    """How many of some points in view share a square on average, of those squares that have any."""
+    low, _ = viewport.window(12.0)
+    x, y = points.T
+    columns = ((x - low[0]) * (viewport.scale / SQUARE)).astype(np.intp)
+    rows = ((y - low[1]) * (viewport.scale / SQUARE)).astype(np.intp)
+    return len(points) / np.count_nonzero(np.bincount(rows * (int(viewport.width / SQUARE) + 4) + columns))
 
 
 def _spacing(points: Floats, viewport: Viewport) -> float:
@@ -166,16 +168,20 @@ def _paint_look(
     painter: QPainter, curve: Curve, points: Ints, look: Look, viewport: Viewport, colours: Colours
 ) -> None:
     places = curve.control_points[points]
-    pixels = thinned(viewport.to_pixels(places[points_inside(places, viewport)]))
+    places = places[points_inside(places, viewport)]
+    pixels = thinned(viewport.to_pixels(places), viewport.to_pixels((0.0, 0.0)))
     ratio = painter.device().devicePixelRatioF()
     _draw_pixmaps(painter, pixels, _pixmap(look, colours, ratio), ratio)
 
 
-def thinned(pixels: Floats) -> Floats:
-    """The last of the positions (n, 2) in each cell: those that others cover are left out."""
+def thinned(pixels: Floats, origin: Floats | float = 0.0) -> Floats:
+    """The last of the positions (n, 2) in each cell: those that others cover are left out.
+
+    One of the cells begins at the origin, so that the choice does not depend on what is in view.
+    """
     if len(pixels) < 1000:
         return pixels
-    cells = np.floor(pixels / CELL).astype(np.int64)
+    cells = np.floor((pixels - np.mod(origin, CELL)) / CELL).astype(np.int64)
     keys = (cells[:, 0] << 32) + cells[:, 1]
     _, last = np.unique(keys[::-1], return_index=True)
     kept: Floats = pixels[np.sort(len(pixels) - 1 - last)]

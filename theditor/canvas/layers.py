@@ -4,11 +4,13 @@ Two pictures of the drawing are kept: one, opaque, of what lies below the curves
 halos), one of the curves and what lies above them (joints, signs, handles). A frame shows the first, paints
 what is alive, shows the second, and paints what is above all: what is selected, what is under the pointer, what
 the hand is about to do. The pictures are painted anew only when something that they show has changed: the view,
-the theme, the drawing. As long as a gesture is under way they show the drawing before it, less the segments,
-edges, joints and handles that differ from it now. Those are alive, painted by the same functions as all others.
+the theme, the drawing. While the hand pans, the second is shifted, and painted where it comes into view.
 
-Painting the pictures takes as many lines as the eye can tell apart (`chords`, `handles.detail`), so panning and
-zooming, where nothing stands still, does not depend much on the size of the drawing either.
+As long as a gesture is under way the pictures show the drawing before it, less the segments, edges, joints and
+handles that differ from it now. Those are alive, painted by the same functions as all others.
+
+Painting the pictures takes as many lines as the eye can tell apart (`chords`, `handles.detail`), so zooming,
+where nothing stands still, does not depend much on the size of the drawing either.
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QFont, QPainter, QPixmap
 
 from theditor.canvas.curves import CurvesPainter, paint_ghost, paint_segments
@@ -35,7 +37,7 @@ from theditor.canvas.picture import (
     paint_names,
 )
 from theditor.canvas.projection import projected
-from theditor.canvas.viewport import Viewport
+from theditor.canvas.viewport import Area, Viewport
 from theditor.drawing import Drawing
 from theditor.model import Colours
 from theditor.spline import Curve
@@ -94,10 +96,9 @@ class Layers:
         paint_behind(painter, frame, seen)
         pieces = [self._piece(frame, i, seen(i), self._alive[i]) for i in held if i in self._alive]
         if frame.shown.ghost and frame.before is not None:
-            for index, part in self._alive.items():
-                paint_ghost(
-                    painter, self._curves.plane_curve(index), part.segments, frame.plane, frame.colours
-                )
+            for index in now:
+                before, segments = self._curves.plane_curve(index), alive[index].segments
+                paint_ghost(painter, before, segments, frame.plane, frame.colours)
         for piece in pieces:
             paint_below(painter, frame, piece)
         for index in sorted(self._alive, key=lambda i: i == frame.current):
@@ -123,39 +124,80 @@ class Layers:
         if self._still is not None and still.drawing is self._still.drawing and alive:
             for i, part in self._alive.items():
                 alive[i] = part.united(curve := still.drawing[i].curve, alive.get(i) or no_part(curve))
+        shift = None if alive or self._alive else self._shift(still)
         self._still, self._alive = still, alive
-        size = QSize(round(still.plane.width * still.ratio), round(still.plane.height * still.ratio))
-        if self._below.size() != size:
-            self._below, self._above = QPixmap(size), QPixmap(size)
-        self._details = {}
-        pieces = []
-        for index in still.held:
-            curve = self._curves.plane_curve(index)
-            segments = self._curves.seen(index, still.plane)
-            self._details[index] = detail(curve, still.plane, segments)
-            part = (alive.get(index) or no_part(curve)).rest(curve, segments)
-            pieces.append(self._piece(frame, index, curve, part))
-        for picture in (self._below, self._above):
-            picture.setDevicePixelRatio(still.ratio)
+        pieces = [self._still_piece(frame, index) for index in still.held]
+        exposed = self._scrolled(*shift) if shift is not None else self._blank()
         painter = QPainter(self._below)
         paint_ground(painter, frame)
         for piece in pieces:
             paint_below(painter, frame, piece)
         painter.end()
-        self._above.fill(Qt.GlobalColor.transparent)
         painter = QPainter(self._above)
-        self._curves.paint(
-            painter,
-            still.drawing,
-            still.current,
-            still.plane,
-            still.colours,
-            by_mode=still.shown.modes,
-            without={i: part.segments for i, part in alive.items()},
-        )
-        for piece in pieces:
-            paint_above(painter, frame, piece)
+        for area in exposed:
+            painter.setClipRect(QRectF(*area))
+            self._curves.paint(
+                painter,
+                still.drawing,
+                still.current,
+                still.plane,
+                still.colours,
+                by_mode=still.shown.modes,
+                without={i: part.segments for i, part in alive.items()},
+                area=area,
+            )
+            for piece in pieces:
+                paint_above(painter, frame, piece)
         painter.end()
+
+    def _shift(self, still: Still) -> tuple[int, int] | None:
+        """By how many device pixels the kept pictures are shifted against those wanted, if that is all."""
+        kept = self._still
+        if kept is None or kept._replace(plane=still.plane) != still:
+            return None
+        return kept.plane.shift_to(still.plane, still.ratio)
+
+    def _scrolled(self, x: int, y: int) -> list[Area]:
+        """Shift the upper picture by some device pixels; returns the areas that come into view, empty."""
+        picture = self._above
+        width, height, ratio = picture.width(), picture.height(), picture.devicePixelRatio()
+        if abs(x) >= width or abs(y) >= height:
+            return self._blank()
+        picture.scroll(x, y, picture.rect())
+        upright = 0 if x > 0 else width + x, 0, abs(x), height
+        level = max(x, 0), 0 if y > 0 else height + y, width - abs(x), abs(y)
+        areas: list[Area] = [
+            (left / ratio, top / ratio, wide / ratio, high / ratio)
+            for left, top, wide, high in (upright, level)
+            if wide and high
+        ]
+        painter = QPainter(picture)
+        painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Source)
+        for area in areas:
+            painter.fillRect(QRectF(*area), Qt.GlobalColor.transparent)
+        painter.end()
+        return areas
+
+    def _blank(self) -> list[Area]:
+        """Make both pictures new where the size is another, and the upper one empty; returns its whole area."""
+        assert self._still is not None
+        plane, ratio = self._still.plane, self._still.ratio
+        size = QSize(round(plane.width * ratio), round(plane.height * ratio))
+        if self._below.size() != size:
+            self._below, self._above = QPixmap(size), QPixmap(size)
+        for picture in (self._below, self._above):
+            picture.setDevicePixelRatio(ratio)
+        self._above.fill(Qt.GlobalColor.transparent)
+        return [(0.0, 0.0, plane.width, plane.height)]
+
+    def _still_piece(self, frame: Frame, index: int) -> Piece:
+        """What stands still of a held curve."""
+        curve = self._curves.plane_curve(index)
+        segments = self._curves.seen(index, frame.plane)
+        self._details[index] = detail(curve, frame.plane, segments)
+        return self._piece(
+            frame, index, curve, (self._alive.get(index) or no_part(curve)).rest(curve, segments)
+        )
 
     def _piece(self, frame: Frame, index: int, curve: Curve, part: Part) -> Piece:
         reference = self._curves.plane_curve(index)

@@ -126,6 +126,10 @@ def paint_below(painter: QPainter, frame: Frame, piece: Piece) -> None:
     """Paint what a part of a held curve has below the curves."""
     plane, colours, shown = frame.plane, frame.colours, frame.shown
     curve, part, detail = piece.curve, piece.part, piece.detail
+    chosen = _common(frame.segments, part.segments) if piece.current else NOTHING
+    if shown.hull:
+        for segment in chosen[:MOST_HULLS].tolist():
+            overlays.paint_hull(painter, hull(curve, segment), plane, colours)
     if piece.current and shown.uniform and detail.handles:
         overlays.paint_uniform(painter, curve, part.segments, plane, colours)
     if shown.polygon and detail.handles:
@@ -141,8 +145,7 @@ def paint_below(painter: QPainter, frame: Frame, piece: Piece) -> None:
             plane,
             colours,
         )
-    if piece.current and frame.segments:
-        paint_halo(painter, curve, _common(frame.segments, part.segments), plane, colours)
+    paint_halo(painter, curve, chosen, plane, colours)
 
 
 def paint_above(painter: QPainter, frame: Frame, piece: Piece) -> None:
@@ -173,9 +176,6 @@ def paint_behind(painter: QPainter, frame: Frame, seen: Seen) -> None:
     for point in frame.reach:
         if point < len(curve.control_points) and curve.active_lambdas[point]:
             overlays.paint_reach(painter, curve, point, frame.bounds, plane, colours)
-    if frame.shown.hull:
-        for segment in sorted(frame.segments)[:MOST_HULLS]:
-            overlays.paint_hull(painter, hull(curve, segment), plane, colours)
     here = parameter_of(frame.hit, frame.current, curve)
     u = frame.place if here is None else here
     if frame.shown.circle and u is not None and u <= curve.segment_count:
@@ -246,6 +246,8 @@ def paint_names(painter: QPainter, frame: Frame, curve: Curve, segments: Ints) -
 
 def _common(chosen: frozenset[int], segments: Ints) -> Ints:
     """Which of some segments are chosen."""
+    if not chosen:
+        return NOTHING
     wanted = np.fromiter(chosen, dtype=np.intp, count=len(chosen))
     common: Ints = segments[np.isin(segments, wanted)]
     return common

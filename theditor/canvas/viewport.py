@@ -10,6 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 
 
+Area = tuple[float, float, float, float]
+"""A rectangle in pixels: left, top, width and height."""
+
+WHOLE, ROUNDING = 1e-4, 1e-12
+"""A shift this near to whole pixels, and scales whose ratio is this near to 1, differ by rounding only."""
+
+
 def inside(points: Floats, low: Floats, high: Floats) -> NDArray[np.intp]:
     """Which points (n, 2) lie between two corners (2,), ascending."""
     x, y = points.T
@@ -53,8 +60,23 @@ class Viewport:
         away = np.asarray(pixels, dtype=np.float64) - (self.width / 2, self.height / 2)
         return away / (self.scale, -self.scale) + (self.x, self.y)
 
-    def window(self, margin: float = 0.0) -> tuple[Floats, Floats]:
-        """Lowest and highest visible point, `margin` pixels beyond the edge included."""
-        half = np.array([self.width / 2 + margin, self.height / 2 + margin]) / self.scale
-        middle = np.array([self.x, self.y])
-        return middle - half, middle + half
+    def shift_to(self, other: Viewport, ratio: float = 1.0) -> tuple[int, int] | None:
+        """By how many whole device pixels, `ratio` in each pixel, the picture moves when another part is shown.
+
+        None if it does more than that.
+        """
+        same_size = (self.width, self.height) == (other.width, other.height)
+        if not same_size or abs(other.scale / self.scale - 1) > ROUNDING:
+            return None
+        exact = (other.to_pixels((self.x, self.y)) - self.to_pixels((self.x, self.y))) * ratio
+        whole = np.round(exact)
+        if np.abs(exact - whole).max() > WHOLE or np.abs(whole).max() > 1e6:
+            return None
+        return int(whole[0]), int(whole[1])
+
+    def window(self, margin: float = 0.0, area: Area | None = None) -> tuple[Floats, Floats]:
+        """Lowest and highest point visible, or visible in an area, `margin` pixels beyond the edge included."""
+        left, top, width, height = area or (0.0, 0.0, self.width, self.height)
+        x0, y1 = self.to_points((left - margin, top - margin)).tolist()
+        x1, y0 = self.to_points((left + width + margin, top + height + margin)).tolist()
+        return np.array([x0, y0]), np.array([x1, y1])
