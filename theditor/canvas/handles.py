@@ -218,7 +218,8 @@ def _draw_pixmaps(painter: QPainter, pixels: Floats, pixmap: QPixmap, ratio: flo
     if not len(pixels):
         return
     fragments = np.zeros((len(pixels), 10))
-    fragments[:, :2] = (np.floor(pixels * ratio) + 0.5) / ratio
+    # A little more than the place itself, lest rounding should decide for one of two device pixels.
+    fragments[:, :2] = (np.floor(pixels * ratio + 1e-4) + 0.5) / ratio
     fragments[:, 4:6] = pixmap.width()
     fragments[:, 6:8] = 1 / ratio
     fragments[:, 9] = 1
