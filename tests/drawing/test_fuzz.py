@@ -98,8 +98,7 @@ def measured(data):
         nonlocal calls
         calls += 1
 
-    tracemalloc.reset_peak()
-    before, _ = tracemalloc.get_traced_memory()
+    tracemalloc.start()
     sys.setprofile(count)
     try:
         outcome = decode(data)
@@ -107,15 +106,9 @@ def measured(data):
         outcome = str(error)
     finally:
         sys.setprofile(None)
-    _, peak = tracemalloc.get_traced_memory()
-    return outcome, calls, peak - before
-
-
-@pytest.fixture(scope="module")
-def traced():
-    tracemalloc.start()
-    yield
-    tracemalloc.stop()
+        _, peak = tracemalloc.get_traced_memory()
+        tracemalloc.stop()
+    return outcome, calls, peak
 
 
 def check(data):
@@ -131,7 +124,6 @@ def check(data):
 
 
 @pytest.mark.parametrize("mutate", [damaged, distorted])
-@pytest.mark.usefixtures("traced")
 def test_a_mutated_file_is_read_or_refused_in_one_sentence(mutate):
     rng = random.Random(0)
     outcomes = [check(mutate(rng, rng.choice(FILES))) for _ in range(ROUNDS)]
@@ -159,6 +151,5 @@ HOSTILE = {
 
 
 @pytest.mark.parametrize("data", HOSTILE.values(), ids=HOSTILE)
-@pytest.mark.usefixtures("traced")
 def test_a_hostile_file_costs_little(data):
     assert isinstance(check(data), str)
