@@ -38,33 +38,26 @@ def declare(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Check each file and return 1 if one is faulty or breaks a promise."""
-    code = 0
-    answers: list[dict[str, Any]] = []
+    code, answers = 0, []
     for name in options.files:
+        file, fault, curves = streams.label(name), "", []
         try:
-            drawing = streams.read_drawing(name)
+            curves = [Measured(item) for item in streams.read_drawing(name)]
         except DrawingError as error:
+            fault = str(error)
+        if fault or not all(each.continuity.holds.all() for each in curves):
             code = 1
-            answers.append({"file": streams.label(name), "error": str(error)})
-            if not options.json:
-                print(error)
-            continue
-        if not options.json:
-            print(f"{streams.label(name)}: {_count(len(drawing), 'curve')}")
-        curves = []
-        for item in drawing:
-            measured = Measured(item)
-            code |= not measured.continuity.holds.all()
-            if options.json:
-                curves.append(facts(measured))
-            else:
-                for line in _lines(measured):
-                    print(f"  {line}")
-        answers.append({"file": streams.label(name), "curves": curves})
+        if options.json:
+            known = {"error": fault} if fault else {"curves": [facts(each) for each in curves]}
+            answers.append({"file": file, **known})
+        else:
+            print(fault or f"{file}: {_count(len(curves), 'curve')}")
+            for line in (line for each in curves for line in _lines(each)):
+                print(f"  {line}")
     if options.json:
         text = json.dumps(answers, indent=1, ensure_ascii=False, allow_nan=False)
         streams.write(streams.STANDARD, f"{text}\n".encode())
-    return int(code)
+    return code
 
 
 class Measured:
@@ -102,7 +95,7 @@ def facts(measured: Measured) -> dict[str, Any]:
             {
                 "number": joint.number,
                 "position": list(joint.position),
-                "jumps": list(joint.relative_jumps),
+                "relative_jumps": list(joint.relative_jumps),
                 "order": joint.order,
                 "geometric_order": joint.geometric_order,
                 "promised": joint.promised,

@@ -106,7 +106,8 @@ def recognise_segments(curve: "Curve", segments: ArrayLike | None = None) -> tup
     else:
         chosen = checks.clean_indices(segments, curve.segment_count, "segment")
     parts = joints.take_segments(curve, chosen)
-    modes = [tuple(Mode)[code] for code in curve.mode_codes[chosen].tolist()]
+    all_modes = tuple(Mode)
+    modes = [all_modes[code] for code in curve.mode_codes[chosen].tolist()]
     return _recognised(parts, curve.degree, modes)
 
 
