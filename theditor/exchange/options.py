@@ -15,7 +15,7 @@ Progress = Callable[[float], None]
 PARTS: Final = ("polygon", "points", "labels", "comb")
 """What a picture can show besides the curves."""
 
-MOST_PIXELS: Final = 20_000
+MOST_PIXELS: Final = 15_000
 """Longer side of the largest PNG."""
 _MOST_SAMPLES: Final = 100_000
 

@@ -28,7 +28,7 @@ POINT: Final = 0.75
 """Radius of a point in mm."""
 LABEL: Final = 3.6
 """Height of letters in mm."""
-TEETH: Final = 16
+TEETH: Final = 24
 """Teeth of the comb on each segment."""
 _DASHES: Final[tuple[tuple[float, ...], ...]] = ((), (2.4, 1.2), (2.8, 0.9, 0.5, 0.9), (0.5, 0.8))
 """In print style, in mm: trigonometric, hyperbolic, interpolating, blend."""
@@ -204,7 +204,7 @@ def _labels(curve: Curve, millimetre: float) -> dict[int, tuple[float, float]]:
     row = lengths < 0.2
     away[row] = np.where(along[row, :1] < 0, -1.0, 1.0) * np.stack((-along[row, 1], along[row, 0]), axis=1)
     away[row & (np.linalg.norm(along, axis=1) == 0)] = (0.0, 1.0)
-    places = points + 3.6 * millimetre * _unit(away)
+    places = points + 4.2 * millimetre * _unit(away)
     _, first = np.unique(np.round(places / (2.5 * millimetre)), axis=0, return_index=True)
     return {
         index: (x, y)
