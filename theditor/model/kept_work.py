@@ -5,8 +5,7 @@ from __future__ import annotations
 import json
 import os
 import secrets
-import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
@@ -17,8 +16,6 @@ from theditor.model.data_folder import data_folder, lock_at
 
 DAYS = 7
 """How long discarded work can be recovered."""
-REST = 0.001
-"""Seconds between parts of a drawing that is written, each about as long in the making."""
 
 
 @dataclass(frozen=True)
@@ -67,16 +64,16 @@ class KeptWork:
         """Leave it as it is for others."""
         self._lock.unlock()
 
-    def write(self, drawing: Drawing, about: About) -> None:
+    def write(self, drawing: Drawing, about: About, rest: Callable[[], object]) -> None:
         """Keep a drawing in place of the one before; raises `DrawingError` if that is impossible.
 
-        It takes its time, so that a hand at work in another thread feels nothing.
+        About every millisecond of work it takes a `rest`.
         """
         self._write_about(about)
         parts = []
         for part in encode_in_parts(drawing):
             parts.append(part)
-            time.sleep(REST)
+            rest()
         write_atomically(self.path, b"".join(parts))
 
     def discard(self) -> None:

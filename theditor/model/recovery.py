@@ -7,6 +7,7 @@ import os
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
 from datetime import datetime
+from threading import Event
 
 from PySide6.QtCore import QObject, QSysInfo, QTimer, Signal
 
@@ -16,7 +17,11 @@ from theditor.model.kept_work import About, KeptWork, new_work
 
 DELAY = 2000
 """Milliseconds from the first change to the disk."""
+REST = 0.004
+"""Seconds of rest after each small part of a drawing that is written, so that the hand at work feels nothing."""
 
+_hurry = Event()
+"""Somebody waits: no rest now."""
 _writer = ThreadPoolExecutor(max_workers=1, thread_name_prefix="recovery")
 """Writes for all windows, one after the other, so that nothing overtakes."""
 
@@ -59,7 +64,11 @@ class Recovery(QObject):
 
     def flush(self) -> None:
         """Wait until all that is to be written is on the disk."""
-        _writer.submit(lambda: None).result()
+        _hurry.set()
+        try:
+            _writer.submit(lambda: None).result()
+        finally:
+            _hurry.clear()
 
     def give_up(self) -> None:
         """The drawing goes: what was not saved stays recoverable for some days."""
@@ -121,7 +130,7 @@ class Recovery(QObject):
     def _write(self, drawing: Drawing, about: About) -> None:
         if self._work is None:
             self._work = new_work()
-        self._work.write(drawing, about)
+        self._work.write(drawing, about, lambda: _hurry.wait(REST))
 
     def _remove(self) -> None:
         if self._work is not None:
