@@ -8,6 +8,7 @@ from typing import Literal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from theditor.drawing import shown
+from theditor.model.kept_work import DAYS
 
 FILE_FILTER = "theditor drawings (*.json);;All files (*)"
 
@@ -34,7 +35,8 @@ def whether_to_save(parent: QWidget, title: str) -> QMessageBox.StandardButton:
     return QMessageBox.question(
         parent,
         "Unsaved changes",
-        f"“{title}” has changes that are not saved. Save them?",
+        f"“{title}” has changes that are not saved. Save them?\n\n"
+        f"For {DAYS} days, File\u00a0›\u00a0Recover brings back what you discard.",
         buttons.Save | buttons.Discard | buttons.Cancel,
         buttons.Save,
     )

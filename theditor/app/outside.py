@@ -19,7 +19,7 @@ from theditor.model.watch import Watch
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
 
-PATIENCE = 10
+PATIENCE = 20
 """How many looks in a row may fail before that is told: the file may be half written, or just being replaced."""
 
 _NOTHING = ""  # is no fingerprint

@@ -130,7 +130,7 @@ class KeptWork:
 def new_work() -> KeptWork:
     """A place for work that is to be kept, taken; raises OSError if there can be none."""
     folder = _folder()
-    folder.mkdir(parents=True, exist_ok=True)
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)  # as private as the drawing may be
     work = KeptWork(folder / f"{datetime.now():%Y-%m-%d-%H%M%S}-{secrets.token_hex(4)}")
     if not work.take():
         raise OSError(f"{folder} cannot be written")

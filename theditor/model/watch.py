@@ -8,7 +8,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
 
-PAUSE = 100
+PAUSE = 50
 """Milliseconds from the first sign of a change to the look at it: a rush of changes is one."""
 
 
