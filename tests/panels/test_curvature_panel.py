@@ -176,7 +176,7 @@ def test_the_table_agrees_with_the_library(points, lam, degree, closed, share):
     if table.total > 1e-3:
         u = table.parameter_at(share * table.total)
         assert table.length_at(u) == pytest.approx(share * table.total, abs=1e-9 * table.total)
-    low, high = table.range()
+    low, high = table.range
     assert low <= 0 <= high
     assert low < high
 

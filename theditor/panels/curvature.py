@@ -3,17 +3,36 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QShowEvent
+from PySide6.QtGui import (
+    QColor,
+    QFocusEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPixmap,
+    QShowEvent,
+)
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSlider, QVBoxLayout, QWidget
 
-from theditor.model import Document, Selection, colours_for, unbreakable
+from theditor.model import Colours, Document, Selection, colours_for, unbreakable
 from theditor.model.words import number
-from theditor.panels.curvature_plot import MOST_MARKED, NO_MARKS, Marks, marks, paint_curvature, plot_of
+from theditor.panels.curvature_plot import (
+    MOST_MARKED,
+    NO_MARKS,
+    Marks,
+    marks,
+    paint_curvature,
+    paint_place,
+    plot_of,
+)
 from theditor.panels.curvature_profile import Profile, profile
 from theditor.panels.parts import GAP, MARGIN, Paragraph, describe
 from theditor.spline import Curve
 from theditor.spline.curvature import curvature
 
+MOST_LIVE = 5000
+"""Longer curves, in segments, are plotted anew when the hand lets go of them."""
 EMPTY = "There is no curve yet."
 NO_LENGTH = "All points of this curve coincide: it has no length and no curvature."
 HINT = "Point at the curve, here or on the canvas, for curvature, radius and length."
@@ -42,13 +61,14 @@ class CurvaturePlot(QWidget):
         self._segments: frozenset[int] = frozenset()
         self._profile: Profile | None = None
         self._marked: tuple[Curve | None, Marks] = (None, NO_MARKS)
+        self._picture: tuple[object, QPixmap] = (None, QPixmap())
         self.place: float | None = None
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         describe(self, "Curvature against arc length", _TIP)
         document.changed.connect(self._follow)
         selection.changed.connect(self._follow)
-        document.undo_stack.indexChanged.connect(self.update)  # marks come when the hand lets go
+        document.undo_stack.indexChanged.connect(self._settle)
 
     def minimumSizeHint(self) -> QSize:
         """Room for a small plot."""
@@ -93,6 +113,8 @@ class CurvaturePlot(QWidget):
             return
         item, segments = self._selection.item, self._selection.segments
         curve = item.curve if item is not None else None
+        if self._document.before is not None and curve is not None and curve.segment_count > MOST_LIVE:
+            return
         if curve is not self._curve or segments != self._segments:
             another = self._selection.curve != self._index
             if curve is None or another or (self.place or 0.0) > curve.segment_count:
@@ -100,6 +122,11 @@ class CurvaturePlot(QWidget):
             self._index = self._selection.curve
             self._curve, self._segments = curve, segments
             self._show()
+
+    def _settle(self) -> None:
+        """Show what waited until the hand lets go: marks, and a very long curve."""
+        self._follow()
+        self.update()
 
     def _show(self) -> None:
         self.update()
@@ -193,9 +220,26 @@ class CurvaturePlot(QWidget):
             reason = EMPTY if self._curve is None else NO_LENGTH
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, reason)
         else:
-            chosen = sorted(self._segments)
-            paint_curvature(painter, shown, self.marks, chosen, self.place, *size, self.font(), colours)
+            painter.drawPixmap(0, 0, self._painted(shown, colours))
+            if self.place is not None:
+                paint_place(painter, shown, self.place, *size, colours)
         painter.end()
+
+    def _painted(self, shown: Profile, colours: Colours) -> QPixmap:
+        """Return a picture of the plot, painted anew only if it is another one: the marker moves often."""
+        marked, font, ratio = self.marks, self.font(), self.devicePixelRatio()
+        key = shown, marked, self._segments, self.size().toTuple(), ratio, font, colours
+        if self._picture[0] != key:
+            pixmap = QPixmap(self.size() * ratio)
+            pixmap.setDevicePixelRatio(ratio)
+            pixmap.fill(QColor(colours.panel))
+            painter = QPainter(pixmap)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            chosen = sorted(self._segments)
+            paint_curvature(painter, shown, marked, chosen, self.width(), self.height(), font, colours)
+            painter.end()
+            self._picture = key, pixmap
+        return self._picture[1]
 
 
 class CurvaturePanel(QWidget):

@@ -25,7 +25,7 @@ _NARROW = 14.0
 """Joints nearer to each other than this, in pixels, on the average, are not drawn."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Marks:
     """Where the curvature of a curve changes sign, and where its size is extreme."""
 
@@ -48,7 +48,7 @@ def marks(curve: Curve) -> Marks:
 def plot_of(shown: Profile, width: float, height: float) -> tuple[Plot, list[float], list[float]]:
     """The plot of a curve in a widget of this size, with the round numbers on both axes."""
     area = QRectF(_LEFT, _HEADER, max(width - _LEFT - _RIGHT, 40.0), max(height - _HEADER - _FOOT, 24.0))
-    low, high = shown.range()
+    low, high = shown.range
     room = 0.06 * (high - low)
     y, ticks_y = round_range(low - room if low < 0 else 0.0, high + room, max(2, int(area.height() / 24)))
     step = round_step(shown.total, max(2, int(area.width() / 64)))
@@ -61,13 +61,12 @@ def paint_curvature(
     shown: Profile,
     marked: Marks,
     segments: Iterable[int],
-    u: float | None,
     width: float,
     height: float,
     font: QFont,
     colours: Colours,
 ) -> None:
-    """Paint the plot, `segments` on a ground of their own, and the place at parameter `u`."""
+    """Paint the plot, `segments` on a ground of their own."""
     plot, ticks_x, ticks_y = plot_of(shown, width, height)
     _paint_segments(painter, shown, plot, segments, colours)
     paint_axes(painter, plot, ticks_x, ticks_y, small_font(font), colours)
@@ -85,8 +84,6 @@ def paint_curvature(
             _paint_lines(painter, shown, plot, QColor(name))
         painter.restore()
     _paint_marks(painter, shown, marked, plot, colours)
-    if u is not None:
-        _paint_place(painter, shown, plot, u, colours)
 
 
 def _paint_segments(
@@ -191,7 +188,11 @@ def _signed(shown: Profile, u: float, height: float) -> float:
     return float(np.copysign(height, here))
 
 
-def _paint_place(painter: QPainter, shown: Profile, plot: Plot, u: float, colours: Colours) -> None:
+def paint_place(
+    painter: QPainter, shown: Profile, u: float, width: float, height: float, colours: Colours
+) -> None:
+    """Paint the place at parameter `u` on a plot of this size."""
+    plot, _, _ = plot_of(shown, width, height)
     length = shown.length_at(u)
     x = float(plot.pixel_x(length))
     painter.setPen(QPen(QColor(colours.accent), 1.0))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +26,7 @@ _FLAT = 1e-9
 """A curve that turns less than this, in radians, is straight."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Profile:
     """Curvature and arc length at equal steps of t in every segment, both its ends included."""
 
@@ -55,6 +56,7 @@ class Profile:
         segment = min(max(int(np.searchsorted(self.length[:, 0], length, side="right")) - 1, 0), last)
         return segment + float(np.interp(length, self.length[segment], self.t))
 
+    @cached_property
     def range(self) -> tuple[float, float]:
         """Least and greatest curvature worth showing, 0 included: spikes at cusps do not count in full."""
         values = self.curvature[np.isfinite(self.curvature)]
