@@ -17,6 +17,7 @@ from theditor.drawing import Drawing, DrawingError, Item, decode, encode
 from theditor.model import words
 from theditor.model.number_table import points_in
 from theditor.spline import Curve
+from theditor.spline.extent import extent
 
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
@@ -177,8 +178,8 @@ def _from_table(text: str) -> Item:
 
 def _moved_to(items: Sequence[Item], middle: tuple[float, float]) -> list[Item]:
     """Return curves moved together, so that the middle of all their control points' box lies at a place."""
-    corners = np.concatenate([projected(item.curve).control_points for item in items])
-    offset = np.array(middle) - (corners.min(axis=0) + corners.max(axis=0)) / 2
+    low, high = extent(np.concatenate([projected(item.curve).control_points for item in items]))
+    offset = np.array(middle) - (low + high) / 2
     try:
         return [
             item.with_(curve=item.curve.with_(control_points=moved(item.curve.control_points, offset)))

@@ -17,6 +17,7 @@ from theditor.model.words import points_counted
 from theditor.panels.number_field import NumberField
 from theditor.panels.parts import describe
 from theditor.spline import MAX_COORDINATE
+from theditor.spline.extent import extent
 
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
@@ -114,7 +115,7 @@ class Coordinates(QFrame):
     @property
     def _middle(self) -> list[float]:
         places = self._held.places
-        low, high = places.min(axis=0), places.max(axis=0)
+        low, high = extent(places)
         middle: list[float] = np.where(low == high, low, (low + high) / 2).tolist()
         return middle
 
@@ -148,20 +149,20 @@ class Coordinates(QFrame):
         if not len(pixels):
             return
         self.resize(self.sizeHint())
-        extent = np.array([self.width(), self.height()], dtype=float)
-        low, high = pixels.min(axis=0), pixels.max(axis=0)
+        size = np.array([self.width(), self.height()], dtype=float)
+        low, high = extent(pixels)
         item = self._window.selection.item
         others = item.curve.control_points[:, :2] if item is not None else np.empty((0, 2))
         if len(others) > MOST:
             others = others[:0]
-        spots = _spots(low, high, NEAR if len(pixels) == 1 else FAR, extent)
-        room = np.array([plane.width, plane.height]) - extent - EDGE
+        spots = _spots(low, high, NEAR if len(pixels) == 1 else FAR, size)
+        room = np.array([plane.width, plane.height]) - size - EDGE
         inside = [spot for spot in spots if (spot >= EDGE).all() and (spot <= room).all()]
         corners = [np.array(corner) for corner in ((room[0], room[1]), (EDGE, room[1]), (room[0], EDGE))]
         around = plane.to_pixels(others)
 
         def covered(spot: Floats) -> tuple[int, int]:
-            end = spot + extent
+            end = spot + size
             inner, outer = (int(((p > spot - 8) & (p < end + 8)).all(axis=1).sum()) for p in (pixels, around))
             return inner, outer
 

@@ -287,7 +287,7 @@ class MainWindow(QMainWindow):
         """Select every control point of the current curve."""
         item = self.selection.item
         if item is not None:
-            self.selection.select(points=range(len(item.curve.control_points)), segments=())
+            self.selection.select(points=np.arange(len(item.curve.control_points)), segments=())
 
     def select_all_curves(self) -> None:
         """Select every control point of all curves that are visible and not locked."""
@@ -300,7 +300,7 @@ class MainWindow(QMainWindow):
     def invert_selection(self) -> None:
         """Select just those control points of the selected curves that are not selected."""
         every, chosen = every_point(self.document.drawing), self.selection.chosen
-        new = {i: np.setdiff1d(every[i], of) for i, of in chosen.items() if i in every}
+        new = {i: np.delete(every[i], of) for i, of in chosen.items() if i in every}
         self.selection.select_across({**chosen, **new}, segments=())
 
     def add_curve(self) -> None:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from theditor.canvas.projection import projected
 from theditor.drawing import Item
 from theditor.spline import Curve
+from theditor.spline.extent import extent
 
 Floats = NDArray[np.float64]
 
@@ -29,14 +30,15 @@ def svg(items: Sequence[Item], scale: float) -> bytes:
     """
     curves = [projected(item.curve) for item in items]
     every = np.concatenate([curve.control_points for curve in curves])
-    low, high = every.min(axis=0), every.max(axis=0)
+    low, high = extent(every)
     scale = min(scale, LARGEST / max(float(np.max(high - low)), 1e-300))
     flip, corner = np.array([scale, -scale]), np.array([low[0], high[1]])
     pictures = [curve.with_(control_points=(curve.control_points - corner) * flip) for curve in curves]
     paths = [beziers(picture, TOLERANCE) for picture in pictures]
     margin = max(item.width for item in items)
     every = np.concatenate([path.reshape(-1, 2) for path in paths])
-    (left, top), (right, bottom) = every.min(axis=0) - margin, every.max(axis=0) + margin
+    low, high = extent(every)
+    (left, top), (right, bottom) = low - margin, high + margin
     width, height = float(right - left), float(bottom - top)
     drawn = "".join(map(_path, items, paths))
     return (

@@ -13,6 +13,7 @@ from theditor.canvas import Canvas
 from theditor.canvas.held import Held
 from theditor.canvas.projection import projected
 from theditor.model import Selection
+from theditor.spline.extent import extent
 
 MOST = 100
 """How many files are remembered."""
@@ -37,7 +38,7 @@ def zoom_to_selection(canvas: Canvas, selection: Selection) -> None:
         for curve in (projected(selection.drawing[i].curve) for i in selection.curves):
             shown += [curve.control_points, curve.sample(_SAMPLES)]
     points = np.concatenate(shown)
-    low, high = points.min(axis=0), points.max(axis=0)
+    low, high = extent(points)
     plane, size = canvas.plane, high - low
     room = SHARE * np.array([plane.width, plane.height])
     scales = room[size > 0] / size[size > 0]

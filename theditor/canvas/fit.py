@@ -7,6 +7,7 @@ import numpy as np
 from theditor.canvas.projection import projected
 from theditor.canvas.viewport import Floats
 from theditor.drawing import Drawing
+from theditor.spline.extent import extent as extent_of
 
 MARGIN = 1 / 12
 """Share of the canvas that stays free on each side."""
@@ -23,7 +24,8 @@ def extent(drawing: Drawing, *, polygons: bool = True) -> tuple[Floats, Floats]:
             parts += [curve.sample(4), curve.control_points] if polygons else [curve.sample(4)]
     if not parts:
         return np.array([-1.0, -1.0]), np.array([1.0, 1.0])
-    return np.min([p.min(axis=0) for p in parts], axis=0), np.max([p.max(axis=0) for p in parts], axis=0)
+    lows, highs = zip(*map(extent_of, parts), strict=True)
+    return np.min(lows, axis=0), np.max(highs, axis=0)
 
 
 def fitted(drawing: Drawing, width: float, height: float) -> tuple[float, float, float]:

@@ -15,6 +15,7 @@ from theditor.canvas.tools import Pointer
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.model import Colours, Document, Gesture, Selection
 from theditor.model.words import points_counted
+from theditor.spline.extent import extent
 
 MARGIN = 18.0
 """Distance in pixels of the box from the points, whose own handles it leaves free."""
@@ -43,9 +44,10 @@ class Box:
 
 def box_around(places: Floats) -> Box | None:
     """The box around places (n, 2); None if they are not at least two different ones."""
-    if len(places) < 2 or not np.ptp(places, axis=0).any():
+    if len(places) < 2:
         return None
-    return Box(places.min(axis=0), places.max(axis=0))
+    low, high = extent(places)
+    return Box(low, high) if (low < high).any() else None
 
 
 def pick_box(box: Box, at: Floats, plane: Viewport) -> BoxHit | None:

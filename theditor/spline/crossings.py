@@ -7,6 +7,7 @@ from theditor.spline import joints
 from theditor.spline.basis import Floats
 from theditor.spline.contacts import APART, FOLLOWING, SAME, contacts
 from theditor.spline.curve import Curve
+from theditor.spline.extent import extent
 from theditor.spline.meetings import Boxes, meeting_boxes
 from theditor.spline.merging import merged
 from theditor.spline.parameters import check_accuracy, check_plane
@@ -79,7 +80,7 @@ def intersections(a: Curve, b: Curve, accuracy: float = 1e-9) -> Floats:
 
 def _found(a: Curve, b: Curve, same: bool, accuracy: float) -> Floats:
     points = np.concatenate((a.control_points, b.control_points))
-    low, high = points.min(axis=0), points.max(axis=0)
+    low, high = extent(points)
     tolerance = max(accuracy, _FINEST) * float((high - low).max())
     if tolerance == 0:  # a point
         return np.empty((0, 2))

@@ -6,6 +6,7 @@ from numpy.typing import ArrayLike, NDArray
 from theditor.spline import bernstein, joints
 from theditor.spline.basis import Floats
 from theditor.spline.curve import Curve
+from theditor.spline.extent import extent
 from theditor.spline.parameters import check_accuracy
 from theditor.spline.roots import sign_changes
 from theditor.spline.turns import grain, speed_scale
@@ -71,7 +72,7 @@ def bounds(curve: Curve, accuracy: float = 1e-12) -> tuple[Floats, Floats]:
     """
     check_accuracy(accuracy)
     meetings = curve(np.arange(curve.segment_count + 1))
-    low, high = meetings.min(axis=0), meetings.max(axis=0)
+    low, high = extent(meetings)
     box_low, box_high = curve.boxes
     for axis in range(curve.dimension):
         slack = accuracy * float((high - low).max())

@@ -61,18 +61,25 @@ def sample(curve: "Curve", per_segment: int, out: Floats | None = None) -> Float
     _check_positive(per_segment, "per_segment")
     count = curve.segment_count
     shape = curve.dimension, count * int(per_segment) + 1
+    matrix = _generators(per_segment, curve.degree)
+    keep = out is not None  # who has a place ready for them will ask again
     if out is None:
         out = np.empty(shape)
     elif not isinstance(out, np.ndarray) or (
         out.shape != shape or out.dtype != np.float64 or not (out.flags.c_contiguous and out.flags.writeable)
     ):
         raise ValueError(f"out must be a writeable C-contiguous float64 array of shape {shape}")
-    matrix = _generators(per_segment, curve.degree)
     inner = out[:, :-1].reshape(shape[0], count, per_segment)
-    for first in range(0, count, _BLOCK):
-        block = slice(first, first + _BLOCK)
-        _multiply(curve.features[:, block], matrix[:, :-1], inner[:, block])
-    out[:, -1] = out[:, 0] if curve.closed else curve.features[:, -1] @ matrix[:, -1]
+    if keep:
+        for first in range(0, count, _BLOCK):
+            block = slice(first, first + _BLOCK)
+            _multiply(curve.features[:, block], matrix[:, :-1], inner[:, block])
+    else:
+        _fill(curve.joint_form, matrix[:, :-1], inner)
+    if curve.closed:
+        out[:, -1] = out[:, 0]
+    else:
+        _fill(curve.joint_form.take(np.array([count - 1])), matrix[:, -1:], out[:, -1:].reshape(-1, 1, 1))
     return out.T
 
 
@@ -106,7 +113,7 @@ def changed_segments(old: "Curve", new: "Curve") -> NDArray[np.intp] | None:
     ):
         return None
     count, first = new.segment_count, new.first_segment
-    touched = []
+    touched: list[NDArray[np.intp]] = []
     if old.control_points is not new.control_points:
         moved = differing_rows(old.control_points, new.control_points)
         touched.append(_within_reach(moved - first, range(1 - new.degree, 2), count, new.closed))
@@ -115,7 +122,7 @@ def changed_segments(old: "Curve", new: "Curve") -> NDArray[np.intp] | None:
         if new.active_lambdas.any():  # else the modes alone depend on λ
             differing = differing[new.active_lambdas[differing]]
         touched.append(_within_reach(differing - first, range(-1, 1), count, new.closed))
-    return touched[0] if len(touched) == 1 else distinct(np.concatenate([np.empty(0, np.intp), *touched]))
+    return _united(touched, count)
 
 
 def differing_rows(old: Floats, new: Floats) -> NDArray[np.intp]:
@@ -348,7 +355,18 @@ def _within_reach(places: NDArray[np.intp], reach: range, count: int, closed: bo
     for step in reach:
         marked[places - low + step] = True
     segments = np.flatnonzero(marked) + low
-    return distinct(segments % count) if closed else segments[(segments >= 0) & (segments < count)]
+    return _united([segments % count], count) if closed else segments[(segments >= 0) & (segments < count)]
+
+
+def _united(parts: list[NDArray[np.intp]], count: int) -> NDArray[np.intp]:
+    """Return what is in any of the parts, ascending, of the numbers below `count`."""
+    filled = [part for part in parts if part.size]
+    if sum(part.size for part in filled) < count // 16:  # a few are sorted sooner than all are marked
+        return distinct(np.concatenate(filled)) if filled else np.empty(0, dtype=np.intp)
+    marked = np.zeros(count, dtype=np.bool_)
+    for part in filled:
+        marked[part] = True
+    return np.flatnonzero(marked)
 
 
 def _corner(corner: ArrayLike | None, otherwise: float, curve: "Curve") -> Floats:
