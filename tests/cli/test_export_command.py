@@ -26,7 +26,7 @@ def test_a_drawing_is_written_in_the_format_of_the_suffix(capsys, tmp_path):
     assert out.read_bytes() == written.data
     told = capsys.readouterr().out.splitlines()
     assert told == [
-        f"{out}: the largest deviation is {written.deviation:.2g}",
+        f"{out}: the largest deviation is {written.deviation:.2g} units",
         *(f"{out}: {note}" for note in written.notes),
     ]
 
@@ -161,7 +161,7 @@ def test_import_reads_with_its_options_and_tells_deviation_and_notes(capsys, tmp
     assert load(out) == LINE
     assert seen == [(b"<svg/>", Options(tolerance=0.01, degree=2, control_points=True))]
     captured = capsys.readouterr()
-    assert captured.out == f"{source}: the largest deviation is 0.001\n{source}: A text was left out.\n"
+    assert captured.out == f"{source}: the largest deviation is 0.001 units\n{source}: A text was left out.\n"
     assert captured.err == ""
 
 

@@ -55,7 +55,7 @@ def run(options: argparse.Namespace) -> int:
             for line in (line for each in curves for line in _lines(each)):
                 print(f"  {line}")
     if options.json:
-        text = json.dumps(answers, indent=1, ensure_ascii=False, allow_nan=False)
+        text = json.dumps(answers, ensure_ascii=False, allow_nan=False)
         streams.write(streams.STANDARD, f"{text}\n".encode())
     return code
 

@@ -42,4 +42,4 @@ def checked_options(**values: Any) -> Options:
 
 def deviation(size: float) -> str:
     """Say how far what was written or read is from the original."""
-    return "exact" if size == 0 else f"the largest deviation is {size:.2g}"
+    return "exact" if size == 0 else f"the largest deviation is {size:.2g} units"
