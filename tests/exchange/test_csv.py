@@ -5,7 +5,7 @@ import io
 
 import numpy as np
 import pytest
-from conftest import BLEND, ELLIPSE, HYPERBOLA, SPACE, gap, size_of
+from exchange_curves import BLEND, ELLIPSE, HYPERBOLA, SPACE, gap, size_of
 
 from theditor.drawing import Drawing, Item
 from theditor.exchange import Options, write

@@ -6,7 +6,7 @@ from itertools import pairwise
 import ezdxf
 import numpy as np
 import pytest
-from conftest import BLEND, CLOSED, CURVES, ELLIPSE, HYPERBOLA, SPACE, gap, size_of
+from exchange_curves import BLEND, CLOSED, CURVES, ELLIPSE, HYPERBOLA, SPACE, gap, size_of
 
 from theditor.drawing import Drawing, Item
 from theditor.exchange import Options, write

@@ -7,7 +7,7 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 import svgelements
-from conftest import BLEND, CURVES, ELLIPSE, SPACE, gap, size_of
+from exchange_curves import BLEND, CURVES, ELLIPSE, SPACE, gap, size_of
 
 from theditor.drawing import Drawing, Item
 from theditor.exchange import PARTS, Options, write
@@ -76,6 +76,10 @@ def test_the_picture_has_millimetres_and_holds_all_it_shows():
     assert "1 unit is 1 mm." in written.notes
     root = ET.fromstring(drawn(Drawing([Item(ELLIPSE)]), size=80).data)
     assert root.get("width") == "80.0mm"
+    root = ET.fromstring(drawn(Drawing([Item(ELLIPSE)]), scale=20).data)
+    assert float(root.get("width").removesuffix("mm")) / float(
+        root.get("viewBox").split()[2]
+    ) == pytest.approx(20)
 
 
 def test_it_is_drawn_upright_in_its_own_colour_and_physical_width():

@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 import pytest
-from conftest import BLEND, CURVES, ELLIPSE, gap, size_of
+from exchange_curves import BLEND, CURVES, ELLIPSE, gap, size_of
 
 from theditor.drawing import Drawing, DrawingError, Item
 from theditor.exchange import PARTS, Options, write

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QMimeData
-from PySide6.QtGui import QGuiApplication, QStandardItemModel
+from PySide6.QtGui import QGuiApplication, QImage, QStandardItemModel
 from PySide6.QtWidgets import QAbstractSpinBox, QLineEdit
 
-from theditor.app.svg import svg
 from theditor.canvas import Pointed
 from theditor.canvas.projection import moved, projected
 from theditor.drawing import Drawing, DrawingError, Item, decode, encode
+from theditor.exchange import Options, write
+from theditor.exchange.scene import MM_PER_PIXEL
 from theditor.model import words
 from theditor.model.number_table import points_in
 from theditor.spline import Curve
@@ -25,6 +26,10 @@ if TYPE_CHECKING:
 
 OWN_TYPE = "application/vnd.theditor+json"
 SVG_TYPE = "image/svg+xml"
+LARGEST = 4000.0
+"""Size in pixels of the largest picture."""
+MOST_PAINTED = 2000
+"""Curves of more segments than this are not painted as pixels too, which would take long."""
 _WHAT = "copy a curve, a drawing's text (JSON), or a table of numbers with columns x, y and perhaps z"
 
 
@@ -118,7 +123,7 @@ class Clipboard:
 
 
 def carried(items: Sequence[Item], scale: float) -> QMimeData:
-    """Return curves as the clipboard carries them: the drawing's file, the same as text, and a picture.
+    """Return curves as the clipboard carries them: the drawing's file, the same as text, and pictures.
 
     Parameters
     ----------
@@ -128,8 +133,15 @@ def carried(items: Sequence[Item], scale: float) -> QMimeData:
     data = _lasting()
     text = encode(Drawing(items))
     data.setData(OWN_TYPE, text)
-    data.setData(SVG_TYPE, svg(items, scale))
     data.setText(text.decode())
+    shown = Drawing(item.with_(visible=True) for item in items)
+    extent = float(
+        np.ptp(np.concatenate([projected(item.curve).control_points for item in items]), axis=0).max()
+    )
+    options = Options(scale=min(scale, LARGEST / extent if extent else scale) * MM_PER_PIXEL)
+    data.setData(SVG_TYPE, write(shown, ".svg", options).data)
+    if sum(item.curve.segment_count for item in items) <= MOST_PAINTED:
+        data.setImageData(QImage.fromData(write(shown, ".png", options).data))
     return data
 
 

@@ -32,6 +32,8 @@ class Options:
     size
         Longer side of the picture, in pixels for PNG and in millimetres for SVG, PDF and TikZ. By default PNG
         has 1600 pixels, PDF and TikZ are 120 mm long, and SVG has 1 mm for each unit of the drawing.
+    scale
+        Millimetres for each unit of the drawing; given instead of a size, which then follows.
     dpi
         Pixels per inch of a PNG. Lines and letters keep their physical size, so that more make them wider.
     transparent
@@ -62,6 +64,7 @@ class Options:
 
     tolerance: float = 1e-4
     size: float | None = None
+    scale: float | None = None
     dpi: float = 96.0
     transparent: bool = False
     show: frozenset[str] = frozenset()
@@ -77,6 +80,10 @@ class Options:
         _check_number("tolerance", self.tolerance, 1e-12, 0.1)
         if self.size is not None:
             _check_number("size", self.size, 0.001, 1e6)
+        if self.scale is not None:
+            _check_number("scale", self.scale, 1e-18, 1e18)
+            if self.size is not None:
+                raise DrawingError("A picture has a size or a scale of its own: give one of them, not both.")
         _check_number("dpi", self.dpi, 1, 10_000)
         object.__setattr__(self, "show", frozenset(self.show))
         if unknown := sorted(map(str, self.show - set(PARTS))):

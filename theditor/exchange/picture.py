@@ -49,14 +49,14 @@ def write_png(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     DrawingError
         If it would have too many pixels.
     """
-    pixels = options.size or _PIXELS
-    if pixels > MOST_PIXELS:
-        raise DrawingError(
-            f"A PNG may be at most {MOST_PIXELS} pixels long, not {pixels:g}: ask for a smaller size."
-        )
     _application()
-    shown = scene(drawing, options, size=pixels * _INCH / options.dpi, arcs=False)
     scale = options.dpi / _INCH
+    shown = scene(drawing, options, size=(options.size or _PIXELS) / scale, arcs=False)
+    longest = max(shown.size) * scale
+    if longest > MOST_PIXELS + 0.5:
+        raise DrawingError(
+            f"A PNG may be at most {MOST_PIXELS} pixels long, not {longest:.7g}: ask for a smaller size."
+        )
     width, height = (max(1, round(side * scale)) for side in shown.size)
     image = QImage(width, height, QImage.Format.Format_ARGB32_Premultiplied)
     if image.isNull():
@@ -84,11 +84,10 @@ def write_pdf(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     DrawingError
         If the page would be longer than the format allows.
     """
-    size = options.size or _PDF_SIZE
-    if size > _PDF_LARGEST:
-        raise DrawingError(f"A PDF page may be at most {_PDF_LARGEST:g} mm long: ask for a smaller size.")
     _application()
-    shown = scene(drawing, options, size=size, arcs=False)
+    shown = scene(drawing, options, size=options.size or _PDF_SIZE, arcs=False)
+    if max(shown.size) > _PDF_LARGEST:
+        raise DrawingError(f"A PDF page may be at most {_PDF_LARGEST:g} mm long: ask for a smaller size.")
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     writer = QPdfWriter(buffer)

@@ -93,7 +93,7 @@ def scene(drawing: Drawing, options: Options, *, size: float | None, arcs: bool)
     drawing : Drawing
     options : Options
     size : float or None
-        Longer side of the picture in mm; None for 1 mm for each unit.
+        Longer side of the picture in mm, unless the options have a scale; None for 1 mm for each unit.
     arcs : bool
         Whether what draws it knows elliptical arcs.
     """
@@ -111,14 +111,12 @@ def scene(drawing: Drawing, options: Options, *, size: float | None, arcs: bool)
     every = np.vstack(around)
     low, high = every.min(axis=0), every.max(axis=0)
     longest = float((high - low).max()) or 1.0
-    line = 1.0
-    if size is None:
-        line = longest / float(np.clip(longest, *ORDINARY))
+    natural = size is None and options.scale is None
+    line = longest / float(np.clip(longest, *ORDINARY)) if natural else 1.0
     widest = max((item.width for item, _ in shown), default=1.0) * MM_PER_PIXEL
     margin = (widest + (5.5 if "labels" in show else 1.5)) * line
-    if size is None:
-        unit = 1.0
-    else:
+    unit = options.scale or 1.0
+    if options.scale is None and size is not None:
         margin = min(margin, size / 4)
         unit = (size - 2 * margin) / longest
     figures = tuple(

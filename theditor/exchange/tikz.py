@@ -31,10 +31,9 @@ def write(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     DrawingError
         If the picture is larger than TeX can measure.
     """
-    size = options.size or _SIZE
-    if size > _LARGEST:
+    shown = scene(drawing, options, size=options.size or _SIZE, arcs=False)
+    if max(shown.size) > _LARGEST:
         raise DrawingError(f"TeX cannot draw pictures longer than {_LARGEST:g} mm: ask for a smaller size.")
-    shown = scene(drawing, options, size=size, arcs=False)
     width, height = shown.size
     colour = BLACK if options.print_style else POLYGON
     lines = [

@@ -9,7 +9,7 @@ import sys
 import numpy as np
 import pypdfium2
 import pytest
-from conftest import BLEND, ELLIPSE, HYPERBOLA, gap, size_of
+from exchange_curves import BLEND, ELLIPSE, HYPERBOLA, gap, size_of
 from pypdfium2 import raw
 from PySide6.QtGui import QImage
 
