@@ -17,6 +17,8 @@ from theditor.drawing import Drawing, DrawingError, Item
 from theditor.exchange import PARTS, Options, write
 from theditor.spline import nearest
 
+pytestmark = pytest.mark.usefixtures("qapp")  # before the writers make an application of their own
+
 
 def png(*items, **options):
     return write(Drawing(items), ".png", Options(**options))
