@@ -27,6 +27,8 @@ DRAWINGS = {
     "one curve": Drawing([Item(Curve([(0, 0), (1, 2), (3, 1), (4, 0)]))]),
     "many curves": many_curves(),
 }
+EVERYWHERE = {0: [0, 1], 1: [2], 2: [], 3: []}
+"""Points on two curves, and two chosen as a whole, of which one is locked."""
 
 
 @pytest.fixture
@@ -46,13 +48,15 @@ def close_dialogs():
             widget.reject()
 
 
-@pytest.mark.parametrize("name", DRAWINGS)
-def test_every_command_can_be_done_when_it_says_so(window, nobody_asks, name):
+@pytest.mark.parametrize(
+    ("name", "chosen"),
+    [("empty", {}), ("one curve", {0: [0, 1]}), ("many curves", EVERYWHERE)],
+)
+def test_every_command_can_be_done_when_it_says_so(window, nobody_asks, name, chosen):
     done = set()
     for command in window.commands:
         window.document.start(DRAWINGS[name])
-        if name != "empty":
-            window.selection.select(points={0, 1})
+        window.selection.select_across(chosen)
         action = window.actions_by_name[command.name]
         assert action.isEnabled() == command.enabled(window)
         if action.isEnabled():
@@ -66,6 +70,7 @@ def test_every_command_can_be_done_when_it_says_so(window, nobody_asks, name):
     assert {"add", "fit", "palette", "shortcuts", "about"} <= done
     assert ("reverse" in done) == (name != "empty")
     assert ("move_down" in done) == (name == "many curves")
+    assert ("distribute_vertically" in done) == (name == "many curves")
 
 
 def test_each_name_and_key_belongs_to_one_command(window):

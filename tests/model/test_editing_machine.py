@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
 
 from theditor.drawing import Drawing, Item, load
-from theditor.model import Document, Selection
+from theditor.model import Document, Selection, reshape
 from theditor.spline import Curve, Mode, fewest_points, insert, pull, remove
 
 LONG = bool(os.environ.get("THEDITOR_LONG_RUN"))
@@ -123,6 +123,41 @@ class Editing(RuleBasedStateMachine):
     def select(self, pick, points, segments):
         self.selection.select(curve=pick % max(len(self.drawing), 1), points=points, segments=segments)
 
+    @rule(
+        points=st.dictionaries(st.integers(0, 4), st.frozensets(st.integers(0, 12)), max_size=3), pick=picks
+    )
+    def select_across(self, points, pick):
+        self.selection.select_across(points, pick % max(len(self.drawing), 1))
+
+    @rule(offset=st.tuples(coordinates, coordinates), commit=st.booleans())
+    def drag_all(self, offset, commit):
+        chosen = self.selection.movable
+        gesture = self.document.begin("Move all")
+        before = gesture.before
+        moved = {i: before[i].curve.control_points[of] + offset for i, of in chosen.items()}
+        curves = {i: before[i].curve.with_points(of, moved[i]) for i, of in chosen.items()}
+        gesture.preview(before.with_curves(curves))
+        gesture.commit() if commit else gesture.cancel()
+        assert {i: of.tolist() for i, of in self.selection.movable.items()} == {
+            i: of.tolist() for i, of in chosen.items()
+        }
+
+    @precondition(lambda self: len(self.drawing))
+    @rule(ends=st.sampled_from(["free", "clamped", "closed"]))
+    def reshape(self, ends):
+        if ends == "closed":
+            reshape.close(self.document, self.selection)
+        else:
+            reshape.set_ends(self.document, self.selection, ends)
+
+    @precondition(lambda self: len(self.drawing) > 1)
+    @rule(pick=picks, place=picks)
+    def reorder(self, pick, place):
+        row, item = pick % len(self.drawing), self.selection.item
+        moved = self.drawing.without(row).inserted(place % len(self.drawing), self.drawing[row])
+        self.document.apply("Reorder", moved)
+        assert self.selection.item is item
+
     @rule()
     def undo(self):
         self.document.undo()
@@ -144,6 +179,11 @@ class Editing(RuleBasedStateMachine):
         if item is not None:
             assert all(i < len(item.curve.control_points) for i in self.selection.points)
             assert all(s < item.curve.segment_count for s in self.selection.segments)
+            assert self.selection.curve in self.selection.curves
+        for i, points in self.selection.across.items():
+            assert (np.diff(points) > 0).all()
+            assert points[0] >= 0
+            assert points[-1] < len(self.drawing[i].curve.control_points)
 
     @invariant()
     def every_value_is_valid(self):

@@ -116,3 +116,8 @@ def test_one_edit_of_many_curves_keeps_what_is_selected_on_them(qapp):
     document.apply("Move", document.drawing.with_curves(new))
     document.undo()
     assert across(selection) == {i: [i] for i in range(5)}
+
+
+def test_curves_that_do_not_exist_are_dropped(selection):
+    selection.select_across({2: [1], 7: [0], -1: [0]})
+    assert (selection.curve, across(selection)) == (2, {2: [1]})

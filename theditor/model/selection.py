@@ -137,7 +137,8 @@ class Selection(QObject):
             Segments of the current curve; by default they stay as long as it does.
         """
         new = self._curve if curve is None else curve
-        chosen = {i: _ascending(of) for i, of in points.items()}
+        count = len(self._document.drawing)
+        chosen = {i: _ascending(of) for i, of in points.items() if 0 <= i < count}
         if segments is None:
             segments = self._segments if new == self._curve else ()
         if not (segments or chosen.get(new, _NOTHING).size):
