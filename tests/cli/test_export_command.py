@@ -24,11 +24,10 @@ def test_a_drawing_is_written_in_the_format_of_the_suffix(capsys, tmp_path):
     assert main(["export", str(FIGURE_10), "-o", str(out)]) == 0
     written = write(load(FIGURE_10), ".svg")
     assert out.read_bytes() == written.data
-    told = capsys.readouterr().out.splitlines()
-    assert told == [
-        f"{out}: the largest deviation is {written.deviation:.2g} units",
-        *(f"{out}: {note}" for note in written.notes),
-    ]
+    told = capsys.readouterr().out
+    assert (
+        told == f"{out}: The largest deviation is {written.deviation:.2g} units. {' '.join(written.notes)}\n"
+    )
 
 
 def test_what_is_exact_is_said_to_be(capsys, tmp_path):
@@ -36,7 +35,7 @@ def test_what_is_exact_is_said_to_be(capsys, tmp_path):
         main(["export", str(resource("gallery") / "ellipse-quadratic.json"), "-o", str(tmp_path / "e.svg")])
         == 0
     )
-    assert capsys.readouterr().out.startswith(f"{tmp_path / 'e.svg'}: exact\n")
+    assert capsys.readouterr().out.startswith(f"{tmp_path / 'e.svg'}: Exact. ")
 
 
 def test_every_option_reaches_the_format(monkeypatch, tmp_path):
@@ -61,7 +60,7 @@ def test_to_standard_output_goes_the_file_alone(capsysbinary):
     assert main(["export", str(FIGURE_10), "-o", "-", "--format", "svg"]) == 0
     captured = capsysbinary.readouterr()
     assert captured.out == write(load(FIGURE_10), ".svg").data
-    assert captured.err.startswith(b"standard output: the largest deviation is")
+    assert captured.err.startswith(b"standard output: The largest deviation is")
 
 
 def test_many_go_into_a_folder_and_a_faulty_one_does_not_stop_the_others(capsys, tmp_path):
@@ -74,7 +73,7 @@ def test_many_go_into_a_folder_and_a_faulty_one_does_not_stop_the_others(capsys,
     captured = capsys.readouterr()
     assert captured.err.startswith(f"theditor: {bad}: The file must have the field")
     assert captured.err.count("\n") == 1
-    assert f"{folder / 'figure-10.svg'}: the largest deviation" in captured.out
+    assert f"{folder / 'figure-10.svg'}: The largest deviation" in captured.out
 
 
 def test_what_does_not_go_together_is_refused_before_anything_is_written(capsys, tmp_path):
@@ -161,7 +160,7 @@ def test_import_reads_with_its_options_and_tells_deviation_and_notes(capsys, tmp
     assert load(out) == LINE
     assert seen == [(b"<svg/>", Options(tolerance=0.01, degree=2, control_points=True))]
     captured = capsys.readouterr()
-    assert captured.out == f"{source}: the largest deviation is 0.001 units\n{source}: A text was left out.\n"
+    assert captured.out == f"{source}: The largest deviation is 0.001 units. A text was left out.\n"
     assert captured.err == ""
 
 
@@ -172,7 +171,7 @@ def test_import_writes_a_drawing_alone_to_standard_output(capsysbinary, tmp_path
     assert main(["import", str(source), "-o", "-"]) == 0
     captured = capsysbinary.readouterr()
     assert decode(captured.out) == LINE
-    assert captured.err == f"{source}: exact\n".encode()
+    assert captured.err == f"{source}: Exact.\n".encode()
 
 
 def test_import_says_what_is_wrong_and_replaces_nothing_but_drawings(capsys, tmp_path, reader):

@@ -9,6 +9,7 @@ import pytest
 
 from theditor.cli import COMMANDS, main
 from theditor.drawing import Drawing, Item, load, save
+from theditor.exchange import writable
 from theditor.resources import gallery, resource
 from theditor.spline import Curve
 
@@ -34,23 +35,29 @@ def used_qt(*arguments):
         "print(code, *(m for m in sys.modules if m.startswith(('PySide6', 'pyqtgraph'))), file=sys.stderr)"
     )
     command = [sys.executable, "-c", code, *map(str, arguments)]
-    run = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=60)
+    drawing = FIGURE_10.read_text("utf-8")
+    run = subprocess.run(
+        command, capture_output=True, text=True, encoding="utf-8", timeout=60, input=drawing, env=SCREENLESS
+    )
     code, *modules = run.stderr.splitlines()[-1].split()
     assert code == "0", run.stderr
     return set(modules)
 
 
-WITHOUT_QT = {
-    "check": [FIGURE_10],
-    "gallery": ["catenary"],
-    "schema": [],
-    "export": [FIGURE_10, "-o", "-", "--format", "svg"],
-}
+@pytest.mark.parametrize("command", ["check -", "check --json -", "gallery catenary", "schema"])
+def test_commands_run_without_qt(command):
+    assert used_qt(*command.split()) == set()
 
 
-@pytest.mark.parametrize("name", WITHOUT_QT)
-def test_commands_run_without_qt(name):
-    assert used_qt(name, *WITHOUT_QT[name]) == set()
+@pytest.mark.parametrize("suffix", writable())
+def test_exports_run_without_qt_but_for_pictures_painted_by_it(suffix, tmp_path):
+    used = used_qt("export", "-", "-o", tmp_path / f"out{suffix}")
+    if suffix in (".pdf", ".png"):
+        assert "PySide6.QtGui" in used
+        assert used.isdisjoint({"PySide6.QtWidgets", "pyqtgraph"})
+    else:
+        assert used == set()
+    assert (tmp_path / f"out{suffix}").stat().st_size > 0
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from pathlib import Path
 from tqdm import tqdm
 
 from theditor.cli import UsageError, fail, streams
-from theditor.cli.formats import checked_options, chosen_suffix, deviation, names
+from theditor.cli.formats import checked_options, chosen_suffix, names, told
 from theditor.cli.window import missing_library
 from theditor.drawing import DrawingError, shown
 from theditor.exchange import PARTS, Options, writable, write
@@ -138,9 +138,8 @@ def _export(source: str, target: str, suffix: str, options: Options) -> None:
     written = write(streams.read_drawing(source), suffix, options)
     streams.write(target, written.data)
     # What was written is told beside it where it is the output itself.
-    name, told = (
+    name, stream = (
         (shown(target), sys.stdout) if target != streams.STANDARD else ("standard output", sys.stderr)
     )
     with tqdm.external_write_mode():
-        for note in (deviation(written.deviation), *written.notes):
-            print(f"{name}: {note}", file=told)
+        print(f"{name}: {told(written.deviation, written.notes)}", file=stream)

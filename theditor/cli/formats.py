@@ -40,6 +40,7 @@ def checked_options(**values: Any) -> Options:
         raise UsageError(str(error).removesuffix(".")) from None
 
 
-def deviation(size: float) -> str:
-    """Say how far what was written or read is from the original."""
-    return "exact" if size == 0 else f"the largest deviation is {size:.2g} units"
+def told(deviation: float, notes: Sequence[str]) -> str:
+    """Return in one line how far what was written or read is from the original, and what else is to be known."""
+    first = "Exact." if deviation == 0 else f"The largest deviation is {deviation:.2g} units."
+    return " ".join([first, *notes])

@@ -8,7 +8,7 @@ import sys
 from tqdm import tqdm
 
 from theditor.cli import streams
-from theditor.cli.formats import checked_options, chosen_suffix, deviation, names
+from theditor.cli.formats import checked_options, chosen_suffix, names, told
 from theditor.drawing import DrawingError
 from theditor.exchange import read, readable
 from theditor.exchange.options import DEFAULTS
@@ -64,7 +64,6 @@ def run(options: argparse.Namespace) -> int:
         except DrawingError as error:
             raise DrawingError(f"{streams.label(options.file)}: {error}") from None
     streams.write_drawing(options.out, made.drawing, options.overwrite)
-    told = sys.stderr if options.out == streams.STANDARD else sys.stdout
-    for note in (deviation(made.deviation), *made.notes):
-        print(f"{streams.label(options.file)}: {note}", file=told)
+    stream = sys.stderr if options.out == streams.STANDARD else sys.stdout
+    print(f"{streams.label(options.file)}: {told(made.deviation, made.notes)}", file=stream)
     return 0
