@@ -50,9 +50,21 @@ def test_every_option_reaches_the_format(monkeypatch, tmp_path):
     given += " --sampling length --samples 7 --tangent --curvature --format tex"
     assert main(["export", str(FIGURE_10), "-o", str(tmp_path / "a"), *given.split()]) == 0
     show = frozenset({"labels", "comb"})
-    assert seen == [(".tex", Options(1e-6, 90, 300, True, show, True, "length", 7, True, True))]
-    assert main(["export", str(FIGURE_10), "-o", str(tmp_path / "a.csv")]) == 0
-    assert seen[1:] == [(".csv", Options())]
+    options = Options(
+        tolerance=1e-6,
+        size=90,
+        dpi=300,
+        transparent=True,
+        show=show,
+        print_style=True,
+        sampling="length",
+        samples=7,
+        tangent=True,
+        curvature=True,
+    )
+    assert seen == [(".tex", options)]
+    assert main(["export", str(FIGURE_10), "-o", str(tmp_path / "a.csv"), "--scale", "5"]) == 0
+    assert seen[1:] == [(".csv", Options(scale=5))]
     assert (tmp_path / "a").read_bytes() == b"data"
 
 
@@ -100,6 +112,7 @@ def test_what_does_not_go_together_is_refused_before_anything_is_written(capsys,
     assert "standard input has no name" in refused("-", copy, "-o", tmp_path / "x", "--format", "svg")
     assert refused(copy, "-o", copy, "--format", "svg") == f"{copy} is the drawing itself: name another OUT"
     assert "cannot show 'knots'" in refused(copy, "-o", "a.svg", "--show", "points,knots")
+    assert "a size or a scale" in refused(copy, "-o", "a.svg", "--size", "9", "--scale", "1")
     assert "tolerance must be a number" in refused(copy, "-o", "a.svg", "--tolerance", "nan")
     assert copy.read_bytes() == before
     assert list(tmp_path.iterdir()) == [copy]

@@ -36,12 +36,13 @@ def declare(parser: argparse.ArgumentParser) -> None:
     picture = parser.add_argument_group("pictures")
     add = picture.add_argument
     add("--size", type=float, help="longer side, in pixels for PNG and in millimetres for the others")
+    add("--scale", type=float, help="millimetres for each unit of the drawing, instead of a size")
     add("--dpi", type=float, default=DEFAULTS.dpi, help="pixels per inch of a PNG (%(default)g)")
     add("--transparent", action="store_true", help="no white ground in a PNG")
     add(
         "--show", metavar="PARTS", default="", help=f"besides the curves: {','.join(PARTS)}, or some of these"
     )
-    add("--print-style", action="store_true", help="black, every mode of segments with dashes of its own")
+    add("--print-style", action="store_true", help="as in a paper: black, labelled, each mode in its dashes")
     table = parser.add_argument_group("tables (CSV)")
     add = table.add_argument
     add(
@@ -65,6 +66,7 @@ def run(options: argparse.Namespace) -> int:
     chosen = checked_options(
         tolerance=options.tolerance,
         size=options.size,
+        scale=options.scale,
         dpi=options.dpi,
         transparent=options.transparent,
         show=frozenset(filter(None, options.show.split(","))),
