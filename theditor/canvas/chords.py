@@ -80,7 +80,7 @@ class ChordTree:
         total = int(self._begins[-1])
         self._turning = np.empty(total)
         self._strays = np.empty((total, len(CUTS)))
-        self._ends = np.empty((total, 4))
+        self._ends = np.empty((4, total))
         every = np.arange(total)
         codes = np.concatenate([np.empty(0, dtype=np.int8), *(curve.mode_codes for curve in curves)])
         blank = np.empty((2, total))
@@ -133,8 +133,9 @@ class ChordTree:
                 leaves.low[:, own], leaves.high[:, own] = enclosures.boxes(parts, degree)
                 turning = enclosures.turning(parts, degree)
                 samples = sample_parts(parts, degree, np.full(len(own), STEPS))
-                points = samples.points.reshape(len(own), STEPS + 1, 2)
-                self._ends[own] = np.hstack([points[:, 0], points[:, -1]])
+                points = samples.points.T.reshape(2, len(own), STEPS + 1)
+                points = np.ascontiguousarray(points.transpose(2, 0, 1))
+                self._ends[:2, own], self._ends[2:, own] = points[0], points[-1]
                 for column, steps in enumerate(CUTS):
                     self._strays[own, column] = _stray(points, steps) + turning / (8 * STEPS**2)
                 self._turning[own] = turning
@@ -178,8 +179,8 @@ class ChordTree:
         left, right = level.left[nodes], level.right[nodes]
         level.low[:, nodes] = np.minimum(children.low[:, left], children.low[:, right])
         level.high[:, nodes] = np.maximum(children.high[:, left], children.high[:, right])
-        start, middle = self._ends[level.first[nodes], :2], self._ends[children.last[left], 2:]
-        end = self._ends[level.last[nodes], 2:]
+        start, middle = self._ends[:2, level.first[nodes]], self._ends[2:, children.last[left]]
+        end = self._ends[2:, level.last[nodes]]
         apart = np.where(left == right, 0.0, _distances(middle, start, end))
         level.strays[nodes] = np.maximum(children.strays[left], children.strays[right]) + apart
         one, other = children.code[left], children.code[right]
@@ -266,7 +267,7 @@ class ChordTree:
         self, first: Ints, last: Ints, codes: NDArray[np.int8], leaves: Ints, tolerance: float
     ) -> Chords:
         """Put together the chords over runs of leaves, and the finer lines of single ones, in order."""
-        lines = [np.hstack([self._ends[first, :2], self._ends[last, 2:]])]
+        lines = [np.concatenate((self._ends[:2, first], self._ends[2:, last])).T]
         rows, steps = [first], [np.tile((0.0, 1.0), (len(first), 1))]
         for degree in (2, 3):
             own = leaves[self._cubic[leaves] == (degree == 3)]
@@ -318,24 +319,25 @@ def _within(level: Level, nodes: Ints, low: Floats, high: Floats) -> Flags:
 
 
 def _stray(points: Floats, steps: int) -> Floats:
-    """How far points along segments, (k, STEPS + 1, 2), stray from the chords over `steps` equal steps."""
+    """How far points along segments, (STEPS + 1, 2, k), stray from the chords over `steps` equal steps."""
     stride = STEPS // steps
-    corners = points[:, ::stride].transpose(1, 0, 2)
-    farthest = np.zeros(len(points))
+    farthest = np.zeros(points.shape[2])
     for j in range(1, STEPS):
         if j % stride:
-            away = _distances(points[:, j], corners[j // stride], corners[j // stride + 1])
+            before = j - j % stride
+            away = _distances(points[j], points[before], points[before + stride])
             np.maximum(farthest, away, out=farthest)
     return farthest
 
 
 def _distances(points: Floats, start: Floats, end: Floats) -> Floats:
-    """The distance of each point (n, 2) from its own straight line between two ends."""
-    x, y = (points - start).T
-    dx, dy = (end - start).T
+    """The distance of each point, (2, n), from its own straight line between two ends."""
+    x, y = points - start
+    dx, dy = end - start
     squares = dx * dx + dy * dy
-    with np.errstate(divide="ignore", invalid="ignore"):
-        t = (x * dx + y * dy) / squares
-    t = np.where(squares > 0, t, 0.0).clip(0.0, 1.0)
-    distances: Floats = np.hypot(x - t * dx, y - t * dy)
+    t = np.divide(x * dx + y * dy, squares, out=np.zeros_like(squares), where=squares > 0)
+    np.clip(t, 0.0, 1.0, out=t)
+    x -= t * dx
+    y -= t * dy
+    distances: Floats = np.sqrt(x * x + y * y)
     return distances

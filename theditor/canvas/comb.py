@@ -15,7 +15,7 @@ from theditor.canvas.part import Part
 from theditor.canvas.viewport import Viewport
 from theditor.model import Colours
 from theditor.spline import Curve
-from theditor.spline.curvature import curvature, osculating_circle
+from theditor.spline.curvature import curvature, curvature_along, osculating_circle
 from theditor.spline.pieces import stretch
 from theditor.spline.vertices import curvature_extremes, inflections
 
@@ -23,8 +23,10 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.intp]
 Flags = NDArray[np.bool_]
 
-MOST_TEETH = 6000
-"""More teeth than this in view cannot be told apart."""
+MOST_TEETH = 2500
+"""More teeth than this in view cannot be told apart,"""
+LEAST_GAP = 2.5
+"""nor can such as are nearer to each other than this many pixels."""
 LONGEST = 2000.0
 """A tooth ends at this many pixels: at a cusp the curvature is infinite."""
 MOST_MARKED = 5000
@@ -35,9 +37,13 @@ TYPICAL = 0.03
 """Length of a typical tooth at slider value 1, as a share of the curve's size."""
 
 
-def density_for(density: int, visible: int) -> int:
-    """How many teeth stand on each segment if so many are in view; 0 for no comb, which could not be made out."""
-    return max(1, min(density, MOST_TEETH // max(1, visible))) if visible <= MOST_TEETH else 0
+def density_for(density: int, visible: int, spacing: float) -> int:
+    """How many teeth can be made out on each segment; 0 for no comb.
+
+    So many segments are in view, and so many pixels is one usually long.
+    """
+    most = max(1, min(MOST_TEETH // max(1, visible), int(spacing / LEAST_GAP)))
+    return min(density, most) if visible <= MOST_TEETH else 0
 
 
 def paint_comb(
@@ -57,21 +63,14 @@ def paint_comb(
     """
     if not density or not len(segments):
         return
-    steps = np.arange(FINER * density + 1) / (FINER * density)
-    inner, last = segments[:, None] + steps[:-1], segments[:, None] + 1.0
-    feet = np.concatenate([curve(inner), curve(last)], axis=1)
-    bend = np.concatenate([curvature(curve, inner), curvature(curve, last, side="left")], axis=1)
-    velocity = np.concatenate([curve(inner, 1), curve(last, 1, side="left")], axis=1)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        along = velocity / np.linalg.norm(velocity, axis=-1, keepdims=True)
-    outward = np.stack([along[..., 1], -along[..., 0]], axis=-1)
-    reach = bend * (length * _unit(reference))
+    feet, along, bend = curvature_along(curve, segments, np.arange(FINER * density + 1) / (FINER * density))
+    outward = np.stack([along[1], -along[0]])
     longest = LONGEST / plane.scale
-    tips = feet + outward * np.clip(reach, -longest, longest)[..., None]
-    from_px, to_px = plane.to_pixels(feet), plane.to_pixels(tips)
+    tips = feet + outward * np.clip(bend * (length * _unit(reference)), -longest, longest)
+    from_px, to_px = (plane.to_pixels(np.moveaxis(places, 0, -1)) for places in (feet, tips))
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     for sign, colour in ((1, colours.comb), (-1, colours.comb_negative)):
-        turns = (sign * bend > 0) & np.isfinite(tips).all(axis=-1)
+        turns = (sign * bend > 0) & np.isfinite(tips).all(axis=0)
         chosen = turns[:, ::FINER]
         teeth = np.hstack([from_px[:, ::FINER][chosen], to_px[:, ::FINER][chosen]])
         beside = turns[:, :-1] & turns[:, 1:]
@@ -108,6 +107,8 @@ class Marks(NamedTuple):
 
 
 def _inside_part(u: Floats, part: Part) -> Flags:
+    if not len(u):
+        return np.empty(0, dtype=np.bool_)
     return np.where(u == np.floor(u), np.isin(u, part.joints), np.isin(np.floor(u), part.segments))
 
 

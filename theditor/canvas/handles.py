@@ -54,7 +54,9 @@ class Detail(NamedTuple):
     points: int
     """How many control points are in view,"""
     segments: int
-    """and how many segments."""
+    """and how many segments,"""
+    spacing: float
+    """which are usually so many pixels long."""
     handles: bool
     """Whether control points lie far enough apart to show their handles and their polygon."""
     dashed: bool
@@ -66,13 +68,14 @@ class Detail(NamedTuple):
 def detail(curve: Curve, viewport: Viewport, visible: Ints) -> Detail:
     """What can be told apart in a view that shows some segments of a plane curve."""
     points = points_inside(curve.control_points, viewport)
-    counts = len(points), len(visible)
-    if len(points) > FEW and _crowd(curve.control_points[points], viewport) > MOST_IN_SQUARE:
-        return Detail(*counts, handles=False, dashed=False, joints=False)
+    corners = curve.control_points[points]
+    sizes = len(points), len(visible), _spacing(corners, viewport) if len(points) > 1 else viewport.width
+    if len(points) > FEW and _crowd(corners, viewport) > MOST_IN_SQUARE:
+        return Detail(*sizes, handles=False, dashed=False, joints=False)
     meetings = curve(distinct(np.concatenate([visible, visible + 1])))
     meetings = meetings[points_inside(meetings, viewport)]
     crowded = len(meetings) > 1 and _spacing(meetings, viewport) < LEAST_JOINT_SPACING
-    return Detail(*counts, handles=True, dashed=len(visible) <= MOST_DASHED, joints=not crowded)
+    return Detail(*sizes, handles=True, dashed=len(visible) <= MOST_DASHED, joints=not crowded)
 
 
 def _crowd(points: Floats, viewport: Viewport) -> float:
@@ -181,10 +184,12 @@ def thinned(pixels: Floats, origin: Floats | float = 0.0) -> Floats:
     """
     if len(pixels) < 1000:
         return pixels
-    cells = np.floor((pixels - np.mod(origin, CELL)) / CELL).astype(np.int64)
-    keys = (cells[:, 0] << 32) + cells[:, 1]
-    _, last = np.unique(keys[::-1], return_index=True)
-    kept: Floats = pixels[np.sort(len(pixels) - 1 - last)]
+    columns, rows = np.floor((pixels - np.mod(origin, CELL)) / CELL).astype(np.intp).T
+    columns, rows = columns - columns.min(), rows - rows.min()
+    cells = rows * (columns.max() + 1) + columns
+    topmost = np.full(cells.max() + 1, -1)
+    topmost[cells] = np.arange(len(pixels))  # the last one stays
+    kept: Floats = pixels[np.sort(topmost[topmost >= 0])]
     return kept
 
 

@@ -20,7 +20,7 @@ JOINT_REACH = 6.0
 """The same for joints, which lie on a curve that can be picked itself."""
 
 
-MOST_PASSAGES = 16
+MOST_PASSAGES = 8
 """Of more passages of a curve within reach only the nearest are told apart."""
 
 

@@ -141,7 +141,7 @@ def paint_below(painter: QPainter, frame: Frame, piece: Piece) -> None:
             part.segments,
             piece.reference,
             shown.comb_length,
-            comb.density_for(shown.comb_density, detail.segments),
+            comb.density_for(shown.comb_density, detail.segments, detail.spacing),
             plane,
             colours,
         )

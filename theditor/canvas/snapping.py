@@ -67,25 +67,19 @@ class Snapper:
             return None
         self._curves.update(drawing)
         at = plane.to_pixels(point)
-        visible = [i for i, item in enumerate(drawing) if item.visible]
         near = self._curves.near(at, REACH, plane, without=moves.segments)
         return (
-            self._control_point(at, visible, plane, moves)
+            self._control_point(at, plane, moves)
             or self._joint(at, near, plane)
             or self._curve(at, near)
             or _grid(point, plane)
         )
 
-    def _control_point(
-        self, at: Floats, visible: list[int], plane: Viewport, moves: Moving
-    ) -> Snapped | None:
-        found = []
-        for i in visible:
-            points = self._curves.plane_curve(i).control_points
-            own = moves.points.get(i, NOTHING)
-            near = [p for p in near_points(points, at, plane) if p not in own]
-            found += [(points[p], indexed("P", p)) for p in near[:1]]
-        return _nearest(found, at, plane)
+    def _control_point(self, at: Floats, plane: Viewport, moves: Moving) -> Snapped | None:
+        for i, point in self._curves.points_near(at, REACH, plane):
+            if point not in moves.points.get(i, NOTHING):
+                return Snapped(self._curves.plane_curve(i).control_points[point], indexed("P", point))
+        return None
 
     def _joint(self, at: Floats, near: Mapping[int, Stroke], plane: Viewport) -> Snapped | None:
         found = []

@@ -53,6 +53,35 @@ def curvature(curve: Curve, u: ArrayLike, side: Side = "right") -> Floats:
         return np.where(stands_still(curve, u, side), np.nan, turn / speed)
 
 
+def curvature_along(curve: Curve, segments: NDArray[np.intp], t: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return what goes on along some segments of a plane curve, each by itself, so that jumps at joints show.
+
+    Parameters
+    ----------
+    curve : Curve
+    segments : ndarray of int, shape (k,)
+    t : ndarray, shape (n,)
+
+    Returns
+    -------
+    points : ndarray, shape (2, k, n)
+    directions : ndarray, shape (2, k, n)
+        Of unit length; nan where the curve stands still.
+    curvature : ndarray, shape (k, n)
+        As of `curvature`.
+    """
+    parts = joints.take_segments(curve, np.repeat(segments, len(t)))
+    at = np.tile(t, len(segments))
+    points, velocity, bend = (joints.evaluate(parts, at, curve.degree, nu) for nu in range(3))
+    speed = np.hypot(*velocity)
+    speed[speed <= _STILL * speed_scale(parts)] = np.nan
+    with np.errstate(over="ignore"):
+        directions = velocity / speed
+        curved = cross(directions, bend / speed) / speed
+    shape = len(segments), len(t)
+    return points.reshape(2, *shape), directions.reshape(2, *shape), curved.reshape(shape)
+
+
 def stands_still(curve: Curve, u: ArrayLike, side: Side = "right") -> NDArray[np.bool_]:
     """Return where the curve has no velocity: no more than the rounding of the terms it is the sum of."""
     places = np.asarray(u, dtype=np.float64)
