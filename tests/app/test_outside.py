@@ -6,7 +6,7 @@ import sys
 
 import pytest
 from hand import Hand
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QEvent, QTimer
 from PySide6.QtWidgets import QApplication, QPushButton
 
 from theditor.app.outside import PATIENCE
@@ -218,6 +218,17 @@ def test_a_hand_on_the_drawing_is_not_disturbed(window, file, qtbot, hand):
     assert window.document.drawing == held
 
 
+def test_a_file_system_that_tells_nothing_is_looked_at_when_the_user_comes_back(window, file, qtbot):
+    first, watch = window.document.drawing, window.outside._watch
+    with qtbot.waitSignal(watch.touched):
+        watch.look_soon()
+    watch._watcher.blockSignals(True)
+    replace(file, shifted(first, 0.5))
+    window.activateWindow()
+    QApplication.sendEvent(window, QEvent(QEvent.Type.ActivationChange))
+    qtbot.waitUntil(lambda: window.document.drawing == shifted(first, 0.5))
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="links need rights there")
 def test_links_are_followed(window, file, qtbot, tmp_path):
     first = window.document.drawing
@@ -253,9 +264,16 @@ def test_two_windows_on_one_file_know_of_each_other(window, file, qtbot, hand):
     other.actions_by_name["save"].trigger()
     assert "is open in another window, too" in asked[0]
 
-    window.close()
+    reply("Replace")
     other.actions_by_name["save"].trigger()
     assert load(file) == other.document.drawing
+    qtbot.waitUntil(lambda: window.document.drawing == other.document.drawing)
+    other.actions_by_name["reverse"].trigger()
+    other.actions_by_name["save"].trigger()  # who said so once is not asked again
+    assert load(file) == other.document.drawing
+
+    window.close()
+    other.actions_by_name["save"].trigger()
     assert owner_of_file(file) is not None
 
 

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 
 from theditor.app.ending import prepare_end
 from theditor.app.problems import catch_everything
-from theditor.app.recover_dialog import RecoverDialog, offer_after_crash
+from theditor.app.recover_dialog import RecoverDialog, offer_work
 from theditor.drawing import DrawingError, load, save
 from theditor.model.kept_work import DAYS, kept_work
 
@@ -87,7 +87,7 @@ def test_what_was_discarded_can_be_recovered_for_some_days(window, hand, answer,
     answer(QMessageBox.StandardButton.Discard)
     window.actions_by_name["new"].trigger()
     window.recovery.flush()
-    offer_after_crash(window)  # nothing crashed
+    offer_work(window, discarded=False)  # nothing crashed
     assert not any(isinstance(w, RecoverDialog) for w in QApplication.topLevelWidgets())
 
     window.actions_by_name["recover"].trigger()
@@ -130,7 +130,7 @@ def test_each_work_is_recovered_in_a_window_of_its_own(window, hand, qtbot, tmp_
     abandon(window, one)
     abandon(window, two, tmp_path / "two.json")
     window.document.start(first)
-    offer_after_crash(window)
+    offer_work(window, discarded=False)
     dialog = shown_dialog()
     assert [dialog.list.item(row).text().partition("\n")[0] for row in (0, 1)] == ["two", "Figure 10"]
     assert len(dialog.list.selectedItems()) == 2
@@ -149,9 +149,9 @@ def test_work_is_kept_for_later_or_discarded_or_deleted(window, hand, data):
     mine = window.document.drawing
     for _ in range(2):
         abandon(window, mine)
-    offer_after_crash(window)
+    offer_work(window, discarded=False)
     shown_dialog().reject()
-    offer_after_crash(window)
+    offer_work(window, discarded=False)
     dialog = shown_dialog()
     dialog.list.setCurrentRow(0, QItemSelectionModel.SelectionFlag.ClearAndSelect)
     dialog.discard_button.click()
@@ -187,7 +187,7 @@ def test_damaged_work_is_told_and_passed_over(window, hand, data, damage):
     broken = sorted(data.glob("*.json"))[0]
     broken.write_bytes(damage)
     broken.with_suffix(".about").write_bytes(damage)
-    offer_after_crash(window)
+    offer_work(window, discarded=False)
     assert "“Untitled” is damaged and cannot be recovered" in window.messages.text
     dialog = shown_dialog()
     assert dialog.list.count() == 1
@@ -272,7 +272,7 @@ def test_recovered_work_on_a_file_that_changed_since_is_asked_about(window, hand
     window.document.undo_stack.setClean()
     window.document.start(mine)
     save(mine.without(0), path)
-    offer_after_crash(window)
+    offer_work(window, discarded=False)
     shown_dialog().accept()
     qtbot.waitUntil(lambda: "Another program has changed “mine.json”" in window.messages.text)
     assert window.document.drawing == mine

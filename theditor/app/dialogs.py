@@ -31,11 +31,11 @@ def change_lambdas(window: MainWindow, how: Literal["gradient", "smooth", "formu
         window.announce(str(error))
 
 
-def recover(window: MainWindow) -> None:
-    """Offer all unsaved work that can be brought back."""
-    from theditor.app.recover_dialog import offer_all
+def recover(window: MainWindow, *, discarded: bool = True) -> None:
+    """Offer unsaved work that can be brought back, what was discarded as well or not."""
+    from theditor.app.recover_dialog import offer_work
 
-    offer_all(window)
+    offer_work(window, discarded=discarded)
 
 
 def find_command(window: MainWindow) -> None:

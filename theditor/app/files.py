@@ -103,7 +103,7 @@ class Files:
         about, window = work.about, self._window
         window.document.recover(drawing, about.title, about.path, about.fingerprint)
         window.recovery.adopt(work)
-        window.canvas.fit()
+        show_kept_view(about.path, window.canvas)
         if not window.messages.text:
             window.messages.tell(f"This is “{window.document.title}” as it was kept, not saved yet.")
 
@@ -155,6 +155,7 @@ class Files:
                 answer = ask.whether_to_save_over(self._window, objection)
             if answer != "replace":
                 return answer == "elsewhere" and self.save_as()
+            self._window.outside.overrule()
             overwrite = True
         self._window.messages.hide()
         try:

@@ -6,10 +6,10 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QApplication
 
+from theditor.app import dialogs
 from theditor.app.ending import Ending
 from theditor.app.main_window import MainWindow
 from theditor.app.problems import catch_everything, start_log
-from theditor.app.recover_dialog import offer_after_crash
 from theditor.app.theme import follow_system
 from theditor.app.windows import active_window, open_windows
 
@@ -50,7 +50,7 @@ def run(paths: list[Path]) -> int:
             window.close()
     if faults:
         first.messages.tell("\n".join(faults))
-    offer_after_crash(first)
+    dialogs.recover(first, discarded=False)
     code = app.exec()
     open_windows.clear()
     return code

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
 from theditor.app.windows import window_on
@@ -37,6 +38,8 @@ class Outside:
         self._untouched: Drawing | None = None  # shown then, with nothing of the user's in it
         self._said = ""
         self._paused = False
+        self._owner: Owner | None = None  # who else had the file when it was last saved
+        self._overruled: Owner | None = None
         self._watch.touched.connect(self._look)
         window.document.renamed.connect(self._follow)
 
@@ -64,8 +67,14 @@ class Outside:
         ours = document.path is not None and os.path.realpath(document.path) == os.path.realpath(path)
         if ours and document.differs_on_disk:
             return f"{_name(path)} has been changed by another program since it was opened or saved here."
-        owner = self._claim.hold(document.path) if ours else owner_of_file(path)
-        return "" if owner is None else f"{_name(path)} is open in {_described(owner)}, too."
+        self._owner = self._claim.hold(document.path) if ours else owner_of_file(path)
+        if self._owner is None or self._owner == self._overruled:
+            return ""
+        return f"{_name(path)} is open in {_described(self._owner)}, too."
+
+    def overrule(self) -> None:
+        """The user saves in spite of who has the file: they are not asked about the same one again."""
+        self._overruled = self._owner
 
     # Other windows
 
@@ -99,14 +108,14 @@ class Outside:
         path = document.path
         if path is None:
             return
-        if (
-            self._paused or document.before is not None or QApplication.mouseButtons()
-        ):  # a hand is on the drawing
+        hand_on = document.before is not None or QApplication.mouseButtons() != Qt.MouseButton.NoButton
+        if hand_on or self._paused:
             self._watch.look_soon()
             return
         self._claim.hold(path)  # whoever had it may have gone
         found = fingerprint(path)
         if found == self._told or (self._told == _NOTHING and found == document.fingerprint):
+            self._patience = PATIENCE
             return
         free = document.is_clean or document.drawing is self._untouched
         try:
@@ -120,6 +129,7 @@ class Outside:
                 self._watch.look_soon()
                 return
             problem = str(error)
+        self._patience = PATIENCE
         self._told, self._untouched = found, document.drawing if free else None
         document.mark_unsaved()
         if not problem:

@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 
 PICTURE = QSize(132, 88)
 
-
 _AFTER_CRASH = "The program ended before this was saved. What you recover is still to be saved."
 _ALL = f"What was not saved when the program ended, and what was discarded in the last {DAYS} days."
 
@@ -40,23 +39,14 @@ class Offer(NamedTuple):
     drawing: Drawing
 
 
-def offer_after_crash(window: MainWindow) -> None:
-    """Show what a crash left, if there is anything."""
-    offers, damage = _offers(discarded=False)
+def offer_work(window: MainWindow, *, discarded: bool) -> None:
+    """Show what a crash left, if there is anything; with what was `discarded`, or say that there is none."""
+    offers, damage = _offers(discarded=discarded)
     if damage:
         window.messages.tell(damage)
     if offers:
-        RecoverDialog(window, offers, discarded=False).open()
-
-
-def offer_all(window: MainWindow) -> None:
-    """Show all work that can be recovered, or say that there is none."""
-    offers, damage = _offers(discarded=True)
-    if damage:
-        window.messages.tell(damage)
-    if offers:
-        RecoverDialog(window, offers, discarded=True).open()
-    else:
+        RecoverDialog(window, offers, discarded=discarded).open()
+    elif discarded:
         window.announce("There is no unsaved work to recover")
 
 
@@ -167,15 +157,16 @@ class RecoverDialog(QDialog):
         """Keep the chosen work for some more days only; remove what was discarded before."""
         for row in reversed(self._rows()):
             work = self._offers[row].work
-            if stays := self._discarded and not work.about.discarded:
-                work.discard()
+            was_discarded = work.about.discarded is not None
+            try:
+                work.remove() if was_discarded else work.discard()
+            except (DrawingError, OSError) as error:
+                self._window.messages.tell(str(error))
+                continue
+            if self._discarded and not was_discarded:
                 self.list.item(row).setText(_words(work))
-            elif work.about.discarded:
-                work.remove()
             else:
-                work.discard()
                 work.let_go()
-            if not stays:
                 del self._offers[row]
                 self.list.takeItem(row)
         self._show_state()

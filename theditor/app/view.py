@@ -57,9 +57,9 @@ def keep_view(path: Path | None, canvas: Canvas) -> None:
     QSettings().setValue("views", json.dumps(dict(list(views.items())[-MOST:])))
 
 
-def show_kept_view(path: Path, canvas: Canvas) -> None:
+def show_kept_view(path: Path | None, canvas: Canvas) -> None:
     """Look at a file as it was looked at last, else at all of it."""
-    match _views().get(str(path.absolute())):
+    match path and _views().get(str(path.absolute())):
         case [float(x), float(y), float(scale)] if scale > 0 and all(map(math.isfinite, (x, y, scale))):
             canvas.show_view(x, y, scale)
         case _:

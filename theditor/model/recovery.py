@@ -49,6 +49,7 @@ class Recovery(QObject):
         self._written.connect(self._tell)
         document.changed.connect(self._note)
         document.stepped.connect(self._note)
+        document.renamed.connect(self._note)
         document.leaving.connect(self.give_up)
 
     def keep(self) -> None:
