@@ -1,5 +1,6 @@
 import pickle
 import tracemalloc
+import weakref
 
 import numpy as np
 from drawing_strategies import curves, drawings, items
@@ -70,6 +71,17 @@ def test_a_change_keeps_only_the_rows_that_differ():
     assert after[1].curve == moved
     assert after[0] is before[0]
     assert peak < 1.2 * (moved.control_points.nbytes + moved.lambdas.nbytes)
+
+
+def test_a_change_lets_go_of_both_drawings():
+    long = Curve(np.random.default_rng(1).normal(size=(1000, 2)), 0.5)
+    before = Drawing([Item(long)])
+    after = before.with_curve(0, long.with_lambdas(3, 1.0))
+    arrays = [weakref.ref(part) for part in (long.control_points, long.lambdas, after[0].curve.lambdas)]
+    change = difference(before, after)
+    del long, before, after
+    assert [ref() for ref in arrays] == [None, None, None]
+    assert change is not None
 
 
 def test_a_change_keeps_only_the_items_that_differ():

@@ -10,9 +10,11 @@ from typing import Any
 from theditor.drawing.drawing import Drawing, Item
 from theditor.spline import Curve
 from theditor.spline.basis import Floats
+from theditor.spline.sampling import differing_rows
 
 # A step can be taken to either side; everything it keeps is a pair (before, after), indexed by these.
 _BEFORE, _AFTER = 0, 1
+_NOTHING: tuple[dict[str, Any], dict[str, Any]] = ({}, {})
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,7 +39,7 @@ class _Edit:
         position = self.start[1 - side]
         item = drawing[position]
         curve = item.curve
-        if self.ends[_BEFORE] != self.ends[_AFTER]:
+        if self.ends[_BEFORE]:
             curve = curve.with_(**self.ends[side])
         if self.points.indices.size:
             curve = curve.with_points(self.points.indices, self.points.values[side])
@@ -95,17 +97,26 @@ def difference(before: Drawing, after: Drawing) -> Change:
 
 
 def _steps(before: Drawing, after: Drawing) -> Iterator[_Edit | _Splice]:
-    matcher = SequenceMatcher(
-        None, [id(item) for item in before], [id(item) for item in after], autojunk=False
-    )
-    for tag, i, i_end, j, j_end in matcher.get_opcodes():
+    start, end = common_ends(before, after)
+    old, new = before[start : len(before) - end], after[start : len(after) - end]
+    matcher = SequenceMatcher(None, [id(item) for item in old], [id(item) for item in new], autojunk=False)
+    for tag, *places in matcher.get_opcodes():
         if tag == "equal":
             continue
+        i, i_end, j, j_end = (place + start for place in places)
         if i_end - i == j_end - j:
             for k in range(i_end - i):
                 yield from _edit((i + k, j + k), before[i + k], after[j + k])
         else:
             yield _Splice((i, j), (before[i:i_end], after[j:j_end]))
+
+
+def common_ends(before: Sequence[Item], after: Sequence[Item]) -> tuple[int, int]:
+    """Return how many items are the same objects at the start of both, and how many of the rest at the end."""
+    shorter = min(len(before), len(after))
+    start = next((i for i in range(shorter) if before[i] is not after[i]), shorter)
+    rest = shorter - start
+    return start, next((i for i in range(rest) if before[-1 - i] is not after[-1 - i]), rest)
 
 
 def _edit(start: tuple[int, int], before: Item, after: Item) -> Iterator[_Edit | _Splice]:
@@ -116,12 +127,12 @@ def _edit(start: tuple[int, int], before: Item, after: Item) -> Iterator[_Edit |
         return
     points = _differing_rows(old.control_points, new.control_points)
     lambdas = _differing_rows(old.lambdas, new.lambdas)
-    ends = (_ends(old), _ends(new))
-    style = (_style(before), _style(after))
+    ends = _differing(_ends(old), _ends(new))
+    style = _differing(_style(before), _style(after))
     most = max(points.indices.size, lambdas.indices.size)
     if 2 * most > len(old.lambdas):
         yield _Splice(start, ((before,), (after,)))
-    elif most or ends[_BEFORE] != ends[_AFTER] or style[_BEFORE] != style[_AFTER]:
+    elif most or ends[_BEFORE] or style[_BEFORE]:
         yield _Edit(start, points, lambdas, ends, style)
 
 
@@ -133,8 +144,15 @@ def _style(item: Item) -> dict[str, Any]:
     return {field.name: getattr(item, field.name) for field in fields(item) if field.name != "curve"}
 
 
+def _differing(before: dict[str, Any], after: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return of two dictionaries with the same keys what differs: for most edits, nothing, which is kept once."""
+    keys = [key for key in before if before[key] != after[key]]
+    return ({key: before[key] for key in keys}, {key: after[key] for key in keys}) if keys else _NOTHING
+
+
 def _differing_rows(before: Floats, after: Floats) -> _Rows:
+    if before is after:
+        before = after = before[:0]
     # Bits, not values: 0.0 and −0.0 are equal, and a file tells them apart.
-    differs = before.view("i8") != after.view("i8")
-    (indices,) = (differs if differs.ndim == 1 else differs.any(axis=1)).nonzero()
+    indices = differing_rows(before.view("i8"), after.view("i8"))
     return _Rows(indices, (before[indices], after[indices]))

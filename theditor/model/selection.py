@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from theditor.drawing import Drawing, Item
+from theditor.drawing.change import common_ends
 from theditor.model.document import Document
 from theditor.spline import Curve
 from theditor.spline.distinct import distinct
@@ -250,9 +251,7 @@ def _places(old: Drawing, new: Drawing, curves: Iterable[int]) -> dict[int, int]
     An item that is there unchanged is found wherever it is. The rest were edited: they are those that are new there,
     in the same order, unless these are fewer.
     """
-    shorter = min(len(old), len(new))
-    start = next((i for i in range(shorter) if old[i] is not new[i]), shorter)
-    same_end = next((i for i in range(shorter - start) if old[-1 - i] is not new[-1 - i]), shorter - start)
+    start, same_end = common_ends(old, new)
     before, after = range(start, len(old) - same_end), range(start, len(new) - same_end)
     moved = {id(new[i]): i for i in after}
     known = {id(old[i]) for i in before}

@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 )
 
 from theditor.drawing import Drawing, Item
+from theditor.drawing.change import common_ends
 from theditor.drawing.drawing import NAME_LENGTH
 from theditor.model import colours_for
 from theditor.model.item_index import NO_INDEX, ModelIndex
@@ -88,7 +89,7 @@ class CurveModel(QAbstractListModel):
                 if before is not after and _look(before) != _look(after):
                     self.dataChanged.emit(self.index(row), self.index(row))
             return
-        start, stop = _common_ends(old, drawing)
+        start, stop = common_ends(old, drawing)
         kept = drawing[:start] + old[len(old) - stop :]
         if len(kept) < len(old):
             self.beginRemoveRows(QModelIndex(), start, len(old) - stop - 1)
@@ -99,15 +100,6 @@ class CurveModel(QAbstractListModel):
             self.drawing = drawing
             self.endInsertRows()
         self.drawing = drawing
-
-
-def _common_ends(old: Drawing, new: Drawing) -> tuple[int, int]:
-    """How many items, by identity, are the same at the start and at the end."""
-    shorter = min(len(old), len(new))
-    start = next((i for i in range(shorter) if old[i] is not new[i]), shorter)
-    rest = shorter - start
-    stop = next((i for i in range(rest) if old[-1 - i] is not new[-1 - i]), rest)
-    return start, stop
 
 
 def _look(item: Item) -> tuple[object, ...]:

@@ -9,7 +9,7 @@ straight into place. Where a curve keeps its features, writing the result is the
 
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -125,7 +125,7 @@ def changed_segments(old: "Curve", new: "Curve") -> NDArray[np.intp] | None:
     return _united(touched, count)
 
 
-def differing_rows(old: Floats, new: Floats) -> NDArray[np.intp]:
+def differing_rows(old: NDArray[Any], new: NDArray[Any]) -> NDArray[np.intp]:
     """Return where the rows of two arrays of one shape differ, ascending."""
     places = np.flatnonzero(
         (old != new).ravel()
