@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from theditor.canvas.projection import projected
+from theditor.canvas.viewport import Viewport
 from theditor.drawing import Drawing
 from theditor.spline import MAX_COORDINATE, Curve
 
@@ -40,6 +41,12 @@ class Held:
             curves[i] = curve.with_points(of, points)
         return self._drawing.with_curves(curves)
 
+    def near(self, at: Floats, reach: float, plane: Viewport) -> dict[int, Ints]:
+        """Those within a square around a pixel (2,), by their curve."""
+        a, b = plane.to_points(at - reach), plane.to_points(at + reach)
+        places, low, high = self.places, np.minimum(a, b), np.maximum(a, b)
+        return self.by_curve(np.flatnonzero(((places >= low) & (places <= high)).all(axis=1)))
+
     def numbers(self, points: Mapping[int, Ints]) -> Ints:
         """The numbers of those of some control points that are in the set, which then holds all of their curves."""
         starts = dict(zip(self._points, self._starts.tolist(), strict=False))
@@ -55,10 +62,11 @@ class Held:
         return {curves[k]: part - self._starts[k] for k, part in zip(heads, parts, strict=True)}
 
 
-def every_point(drawing: Drawing) -> dict[int, Ints]:
-    """All control points of the curves that may be edited on the canvas: visible and not locked."""
+def every_point(drawing: Drawing, curves: Iterable[int] | None = None) -> dict[int, Ints]:
+    """All control points of some curves (default all), but for hidden and locked ones, which nobody may move."""
+    chosen = range(len(drawing)) if curves is None else curves
     return {
-        i: np.arange(len(item.curve.control_points))
-        for i, item in enumerate(drawing)
-        if item.visible and not item.locked
+        i: np.arange(len(drawing[i].curve.control_points))
+        for i in chosen
+        if drawing[i].visible and not drawing[i].locked
     }

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from theditor.canvas.curves import CurvesPainter
+from theditor.canvas.held import Held
 from theditor.canvas.hit_test import (
     REACH,
     BoxHit,
@@ -30,7 +29,7 @@ def pick(
     at: Floats,
     drawing: Drawing,
     current: int,
-    selected: Iterable[int],
+    handles: Held,
     curves: CurvesPainter,
     plane: Viewport,
 ) -> list[Hit]:
@@ -41,10 +40,11 @@ def pick(
     """
     curves.update(drawing)
     hits: list[Hit] = []
-    for i in sorted(selected, key=lambda i: (i != current, -i)):
-        if drawing[i].visible and not drawing[i].locked:
-            points = curves.plane_curve(i).control_points
-            hits += [PointHit(i, index) for index in near_points(points, at, plane)]
+    for i, of in sorted(
+        handles.near(at, REACH, plane).items(), key=lambda near: (near[0] != current, -near[0])
+    ):
+        points = curves.plane_curve(i).control_points[of]
+        hits += [PointHit(i, int(of[k])) for k in near_points(points, at, plane)]
     found: list[tuple[float, SegmentHit]] = []
     near = curves.near(at, REACH, plane)
     for i in sorted(near, key=lambda i: (i != current, -i)):

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from functools import cached_property
+
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 
 from theditor.canvas import points
-from theditor.canvas.held import Held
+from theditor.canvas.held import Held, every_point
 from theditor.canvas.hit_test import (
     REACH,
     BoxHit,
@@ -26,7 +30,10 @@ from theditor.canvas.tool import Bench, Keys
 from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pointer, Still
 from theditor.canvas.transform import Box, Transform, box_around, pick_box
 from theditor.canvas.viewport import Floats, Viewport
+from theditor.drawing import Drawing
 from theditor.model.words import indexed, locked_reason, number
+
+Ints = NDArray[np.intp]
 
 
 class SelectTool:
@@ -44,13 +51,14 @@ class SelectTool:
         self._pressed: Key | None = None
         self._beneath = False
         self._made_current = False
+        self._grips: _Grips | None = None
 
     def hits(self, at: Floats) -> list[Hit]:
         """What can be grabbed at a pixel, topmost first."""
         bench = self._bench
         plane = bench.view.plane
         selection = bench.selection
-        hits = pick(at, bench.document.drawing, selection.curve, selection.curves, bench.curves, plane)
+        hits = pick(at, bench.document.drawing, selection.curve, self._held.handles, bench.curves, plane)
         box = self.box
         grip = pick_box(box, at, plane) if box is not None else None
         if grip is not None:
@@ -60,7 +68,16 @@ class SelectTool:
     @property
     def box(self) -> Box | None:
         """The box around the selected points that can be moved."""
-        return box_around(Held(self._bench.document.drawing, self._bench.selection.movable).places)
+        return self._held.box
+
+    @property
+    def _held(self) -> _Grips:
+        """What selected curves are held by, found anew only when they or the selection are others."""
+        drawing, chosen = self._bench.document.drawing, self._bench.selection.chosen
+        grips = self._grips
+        if grips is None or grips.drawing is not drawing or grips.chosen is not chosen:
+            grips = self._grips = _Grips(drawing, chosen, self._bench.selection.movable)
+        return grips
 
     def hover(self, pointer: Pointer) -> Hit:
         """What would be grabbed."""
@@ -197,3 +214,20 @@ class SelectTool:
     def leave(self) -> None:
         """Let go of what is selected: other tools do nothing with it."""
         self._bench.selection.select(points=(), segments=())
+
+
+class _Grips:
+    """What the selected curves of a drawing are held by: the handles of their control points, and the box."""
+
+    def __init__(self, drawing: Drawing, chosen: Mapping[int, Ints], movable: Mapping[int, Ints]) -> None:
+        self.drawing, self.chosen, self._movable = drawing, chosen, movable
+
+    @cached_property
+    def handles(self) -> Held:
+        """The control points of the selected curves that can be edited."""
+        return Held(self.drawing, every_point(self.drawing, self.chosen))
+
+    @cached_property
+    def box(self) -> Box | None:
+        """The box around the selected points."""
+        return box_around(Held(self.drawing, self._movable).places)
