@@ -149,6 +149,14 @@ def test_check_says_what_is_wrong_and_goes_on(capsys, tmp_path):
     assert good == f"{FIGURE_10}: 1 curve"
 
 
+def test_check_says_how_a_foreign_file_becomes_a_drawing(capsys, tmp_path):
+    (tmp_path / "picture.svg").write_text("<svg/>")
+    assert main(["check", str(tmp_path / "picture.svg")]) == 1
+    told = capsys.readouterr().out
+    assert told.startswith(f"{tmp_path / 'picture.svg'}: The text is not JSON")
+    assert told.endswith("(theditor import makes a drawing of it.)\n")
+
+
 def test_check_answers_in_json_with_every_segment_and_joint(capsysbinary, tmp_path):
     (tmp_path / "bad.json").write_text("{}")
     arguments = ["check", "--json", str(FIGURE_10), str(tmp_path / "bad.json")]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 
 from theditor.drawing import Drawing, DrawingError, decode, read_bytes, save, shown, write_atomically
 from theditor.drawing.schema import encode
@@ -36,7 +37,14 @@ def read_drawing(name: str) -> Drawing:
     try:
         return decode(data)
     except DrawingError as error:
-        raise DrawingError(f"{label(name)}: {error}") from None
+        raise DrawingError(f"{label(name)}: {error}{_hint(name)}") from None
+
+
+def _hint(name: str) -> str:
+    """Return what to do with a file that is no drawing but can be made one."""
+    from theditor.exchange import readable  # seldom needed
+
+    return " (theditor import makes a drawing of it.)" if Path(name).suffix.lower() in readable() else ""
 
 
 def write(name: str, data: bytes) -> None:
