@@ -199,7 +199,7 @@ def test_saving_over_something_else_than_a_drawing_asks_once_more(window, monkey
     trigger(window, "save_as")
     assert load(notes) == window.document.drawing
     assert len(asked) == 1
-    assert f"{notes} holds something else than a drawing" in asked[0]
+    assert f"{notes} holds something other than a drawing" in asked[0]
     assert "The file must be an object with format" in asked[0]
 
 

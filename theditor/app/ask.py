@@ -56,12 +56,12 @@ def whether_to_save_over(parent: QWidget, objection: str) -> Literal["replace", 
 
 
 def whether_to_replace(parent: QWidget, path: Path, reason: str) -> bool:
-    """Ask whether a file that holds something else than a readable drawing may go."""
+    """Ask whether a file that holds something other than a readable drawing may go."""
     buttons = QMessageBox.StandardButton
     answer = QMessageBox.warning(
         parent,
         "Not a drawing",
-        f"{shown(path)} holds something else than a drawing that this program can read, and saving would "
+        f"{shown(path)} holds something other than a drawing that this program can read, and saving would "
         f"destroy it. Replace it?\n\n{reason}",
         buttons.Yes | buttons.Cancel,
         buttons.Cancel,

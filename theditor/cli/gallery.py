@@ -22,7 +22,7 @@ def declare(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--overwrite",
         action="store_true",
-        help="replace OUT.json even if it holds something else than a drawing",
+        help="replace OUT.json even if it holds something other than a drawing",
     )
 
 

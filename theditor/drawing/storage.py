@@ -94,7 +94,7 @@ def save(drawing: Drawing, path: str | os.PathLike[str], overwrite: bool = False
         )
     if not overwrite and (reason := unreadable(path)):
         raise DrawingError(
-            f"{shown(path)} is not replaced, since it holds something else than a drawing that this program "
+            f"{shown(path)} is not replaced, since it holds something other than a drawing that this program "
             f"can read; choose another name. ({reason})"
         )
     write_atomically(path, data)

@@ -207,7 +207,7 @@ class Document(QObject):
 
     @property
     def differs_on_disk(self) -> bool:
-        """Whether the file holds something else than was last read or written here; a file that is gone does not."""
+        """Whether the file holds something other than was last read or written here; a file that is gone does not."""
         found = fingerprint(self._path) if self._path is not None else None
         return found is not None and found != self._known
 
