@@ -12,7 +12,7 @@ from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
 
-from theditor.drawing import Drawing, Item, load
+from theditor.drawing import Drawing, Item, load, save
 from theditor.model import Document, Selection, reshape
 from theditor.spline import Curve, Mode, fewest_points, insert, pull, remove
 
@@ -56,6 +56,7 @@ class Editing(RuleBasedStateMachine):
         self.first = Drawing([Item(curve, name=f"curve {i}") for i, curve in enumerate(items)])
         self.document = Document(self.first)
         self.selection = Selection(self.document)
+        self.save()
 
     @property
     def drawing(self):
@@ -170,7 +171,19 @@ class Editing(RuleBasedStateMachine):
     def save(self):
         self.document.save(self.path)
         assert self.document.is_clean
+        self.saved = self.drawing
         assert load(self.path) == self.drawing
+
+    @rule(items=st.lists(curves(), max_size=2), known=st.booleans())
+    def reload(self, items, known):
+        theirs = self.drawing if known else Drawing(map(Item, items))
+        save(theirs, self.path)
+        assert self.document.differs_on_disk == (load(self.path) != self.saved)
+        self.document.reload()
+        self.saved = self.drawing
+        assert self.document.drawing == theirs
+        assert self.document.is_clean
+        assert not self.document.differs_on_disk
 
     @invariant()
     def the_selection_is_on_the_drawing(self):
