@@ -144,6 +144,19 @@ def test_each_work_is_recovered_in_a_window_of_its_own(window, hand, qtbot, tmp_
     assert "as it was kept" in other.messages.text
 
 
+def test_work_on_a_file_that_was_opened_anew_comes_into_its_window(window, hand, tmp_path):
+    path = tmp_path / "mine.json"
+    save(window.document.drawing, path)
+    hand.drag(P5, (1.4, 2.0))
+    mine = window.document.drawing
+    abandon(window, mine, path)
+    window.open_path(path)
+    offer_work(window, discarded=False)
+    shown_dialog().accept()
+    assert (window.document.drawing, window.document.path) == (mine, path)
+    assert window.isWindowModified()
+
+
 def test_work_is_kept_for_later_or_discarded_or_deleted(window, hand, data):
     hand.drag(P5, (1.4, 2.0))
     mine = window.document.drawing

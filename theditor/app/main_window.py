@@ -28,7 +28,7 @@ from theditor.app.menus import build_menus, tint_icons
 from theditor.app.outside import Outside
 from theditor.app.problems import MessageBar
 from theditor.app.tour import GuideBar
-from theditor.app.windows import open_windows
+from theditor.app.windows import open_windows, same_file
 from theditor.canvas import Canvas, Pointed
 from theditor.canvas.held import every_point
 from theditor.drawing import Item
@@ -323,11 +323,11 @@ class MainWindow(QMainWindow):
 
     # The window itself
 
-    @property
-    def is_unused(self) -> bool:
-        """Whether nothing was done in it yet: an example, perhaps, but nobody's work."""
+    def has_room_for(self, path: Path | None) -> bool:
+        """Whether nothing was done here yet, and no other file than the one at `path` is open."""
         document = self.document
-        return document.path is None and document.is_clean and document.undo_stack.count() == 0
+        unused = document.is_clean and document.undo_stack.count() == 0
+        return unused and (document.path is None or same_file(document.path, path))
 
     def beside(self) -> MainWindow:
         """Open another, empty window beside this one."""

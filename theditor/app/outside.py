@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
-from theditor.app.windows import window_on
+from theditor.app.windows import same_file, window_on
 from theditor.drawing import Drawing, DrawingError, fingerprint, load, shown
 from theditor.model.claim import Claim, owner_of_file
 from theditor.model.data_folder import Owner
@@ -64,7 +63,7 @@ class Outside:
     def objection(self, path: Path) -> str:
         """What speaks against saving to a file unasked, in a sentence; empty if nothing does."""
         document = self._window.document
-        ours = document.path is not None and os.path.realpath(document.path) == os.path.realpath(path)
+        ours = same_file(document.path, path)
         if ours and document.differs_on_disk:
             return f"{_name(path)} has been changed by another program since it was opened or saved here."
         self._owner = self._claim.hold(document.path) if ours else owner_of_file(path)

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from theditor.app.thumbnail import thumbnail
+from theditor.app.windows import open_windows
 from theditor.drawing import Drawing, DrawingError, shown
 from theditor.model import colours_for
 from theditor.model.kept_work import DAYS, KeptWork, kept_work
@@ -72,8 +73,8 @@ def _offers(*, discarded: bool) -> tuple[list[Offer], str]:
 class RecoverDialog(QDialog):
     """Pictures of kept work to recover, to discard or to leave for later.
 
-    What is recovered comes into windows of its own; the one that asks is used if nothing is in it yet. While
-    the dialog is open, no other process offers the same work.
+    What is recovered comes into windows of its own, or into those where nothing was done yet. While the dialog
+    is open, no other process offers the same work.
 
     Parameters
     ----------
@@ -135,11 +136,10 @@ class RecoverDialog(QDialog):
             if offer not in chosen:
                 offer.work.let_go()
         super().done(result)
-        window = self._window
         for work, drawing in chosen:
-            if not window.is_unused:
-                window = window.beside()
-            window.files.recover(work, drawing)
+            path = work.about.path
+            window = next((each for each in open_windows if each.has_room_for(path)), None)
+            (window or open_windows[-1].beside()).files.recover(work, drawing)
 
     def _picture(self, drawing: Drawing) -> QIcon:
         pixmap = thumbnail(drawing, PICTURE, self.devicePixelRatioF(), colours_for(self.palette()))

@@ -23,9 +23,10 @@ def active_window() -> MainWindow | None:
 
 def window_on(path: Path, besides: MainWindow) -> MainWindow | None:
     """Another window that has a file open, if there is one."""
-    target = os.path.realpath(path)
-    for window in open_windows:
-        other = window.document.path
-        if window is not besides and other is not None and os.path.realpath(other) == target:
-            return window
-    return None
+    others = (window for window in open_windows if window is not besides)
+    return next((window for window in others if same_file(window.document.path, path)), None)
+
+
+def same_file(one: Path | None, other: Path | None) -> bool:
+    """Whether two paths lead to one file, links followed; no path leads nowhere."""
+    return one is not None and other is not None and os.path.realpath(one) == os.path.realpath(other)
