@@ -3,8 +3,8 @@
 import pytest
 from hand import Hand
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QContextMenuEvent, QKeySequence
-from PySide6.QtWidgets import QApplication, QDialog, QMenu, QMessageBox
+from PySide6.QtGui import QColor, QContextMenuEvent, QKeySequence
+from PySide6.QtWidgets import QApplication, QColorDialog, QDialog, QMenu, QMessageBox
 
 from theditor.app.palette import Palette
 from theditor.app.shortcuts import Shortcuts
@@ -39,6 +39,7 @@ def nobody_asks(monkeypatch, tmp_path):
     monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
     monkeypatch.setattr(QMessageBox, "about", lambda *_: None)
     monkeypatch.setattr(QDialog, "exec", lambda *_: 0)
+    monkeypatch.setattr(QColorDialog, "getColor", lambda *_: QColor("#123456"))
     monkeypatch.setattr(QApplication, "closeAllWindows", lambda: None)
 
 

@@ -81,6 +81,15 @@ def test_the_nearest_ends_are_joined_whichever_way_the_curves_run(turn_first, tu
     assert document.drawing[1].curve == far
 
 
+def test_of_several_selected_curves_one_of_those_is_joined():
+    left = Curve([[0, 0], [1, 1], [2, 0], [3, 1]], ends="clamped")
+    near, far = (Curve([[x, 1], [x + 1, 2], [x + 2, 1]], ends="clamped") for x in (3.2, 9))
+    document, selection = opened_with(left, near, far)
+    selection.select_across({0: [], 2: []})
+    assert pieces.join(document, selection).startswith("Joined “a” and “c”; ")
+    assert document.drawing[1].curve == near
+
+
 def test_a_curve_without_a_partner_is_told():
     document, selection = opened_with(Curve(POINTS), Curve(POINTS, degree=2))
     with pytest.raises(ValueError, match="no other open cubic curve"):

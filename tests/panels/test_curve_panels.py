@@ -314,6 +314,7 @@ def test_what_is_selected_on_several_curves_shows_in_the_rows(curves, selection,
     three.click_at(curves.list.visualRect(curves.model.index(2)).center(), CTRL)
     assert selection.curves == (0, 1, 2)
     assert {i: of.tolist() for i, of in selection.across.items()} == {0: [1], 1: [2]}
+    assert curves.list.currentIndex().row() == selection.curve == 1
     three.click_at(curves.list.visualRect(curves.model.index(1)).center())
     assert (selection.curves, selection.count) == ((1,), 1), "what is selected on the one that is left stays"
 
@@ -325,3 +326,12 @@ def test_locked_curves_among_several_stay(curves, document, selection, three, qt
         curves.delete()
     assert told.args == ["2 curves are deleted; Undo brings them back. 1 locked curve stayed."]
     assert names(document) == ["Ring"]
+
+
+def test_a_double_click_on_the_colour_asks_for_another(curves, document, three, qtbot):
+    row = curves.list.visualRect(curves.model.index(2))
+    with qtbot.waitSignal(curves.recolour_requested):
+        at = QPoint(eye_rect(row).right() + 14, row.center().y())
+        qtbot.mouseClick(curves.list.viewport(), LEFT, pos=at)
+        qtbot.mouseDClick(curves.list.viewport(), LEFT, pos=at)
+    assert curves.list.findChild(QLineEdit) is None

@@ -303,6 +303,15 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             gap=True,
         ),
         Command(
+            "recolour",
+            "Curve",
+            "Recol&our curves…",
+            "Give the selected curves another colour",
+            window.curve.choose_colour,
+            enabled=can_edit_any,
+            places=("curve",),
+        ),
+        Command(
             "hide",
             "Curve",
             "Hide or sho&w curves",

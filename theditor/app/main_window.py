@@ -106,6 +106,7 @@ class MainWindow(QMainWindow):
         )
         self.lambda_strip = LambdaStrip(*model)
         self.curves.add_requested.connect(self.add_curve)
+        self.curves.recolour_requested.connect(self.curve.choose_colour)
         column = (self.curves, self.curve, self.shape, self.segments, self.segment)
 
         right, bottom = Qt.DockWidgetArea.RightDockWidgetArea, Qt.DockWidgetArea.BottomDockWidgetArea

@@ -212,7 +212,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             "join",
             "Curve/Pieces",
             "Join with the &nearest end",
-            "Join the curve with the open curve whose end is nearest to one of its own",
+            "Join the curve with the open curve, of those selected if any are, whose end is nearest to one of its own",
             said(lambda: pieces.join(*model)),
             ("Shift+J",),
             can_join,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from theditor.canvas.projection import projected
@@ -53,7 +55,7 @@ def _joint(curve: Curve, selection: Selection) -> int:
 
 
 def join(document: Document, selection: Selection) -> str:
-    """Join the current curve with the open curve whose end is nearest to one of its ends.
+    """Join the current curve with the open curve whose end is nearest to its own, or with a selected one.
 
     Raises
     ------
@@ -61,7 +63,8 @@ def join(document: Document, selection: Selection) -> str:
         If there is no such curve of the same degree and dimension.
     """
     item, index = _current(selection), selection.curve
-    other, a, b = _nearest_ends(document.drawing, index)
+    others = [i for i in selection.curves if i != index] or range(len(document.drawing))
+    other, a, b = _nearest_ends(document.drawing, index, others)
     curve, deviation = edits.join(a, b)
     name = document.drawing[other].name
     document.apply("Join curves", document.drawing.with_curve(index, curve).without(other))
@@ -69,14 +72,14 @@ def join(document: Document, selection: Selection) -> str:
     return f"Joined “{item.name}” and “{name}”; {shape_changed(deviation, curve)}"
 
 
-def _nearest_ends(drawing: Drawing, index: int) -> tuple[int, Curve, Curve]:
-    """The other curve, and both curves turned so that the first's end is the one nearest to the second's start."""
+def _nearest_ends(drawing: Drawing, index: int, others: Iterable[int]) -> tuple[int, Curve, Curve]:
+    """Which of the others, and both curves turned so that the first's end is the one nearest to the second's start."""
     own = drawing[index].curve
     if own.closed:
         raise ValueError("a closed curve has no end to join: open it first")
     best: tuple[float, int, Curve, Curve] | None = None
-    for i, item in enumerate(drawing):
-        curve = item.curve
+    for i in others:
+        item, curve = drawing[i], drawing[i].curve
         if i == index or item.locked or not item.visible or curve.closed:
             continue
         if (curve.degree, curve.dimension) != (own.degree, own.dimension):

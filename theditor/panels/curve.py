@@ -110,7 +110,7 @@ class CurvePanel(QWidget):
         self.name.editingFinished.connect(self._rename)
         self.degree.activated.connect(self._set_degree)
         self.ends.activated.connect(self._set_ends)
-        self.colour.clicked.connect(self._choose_colour)
+        self.colour.clicked.connect(self.choose_colour)
         self.width_field.entered.connect(lambda width: self._set_style("Change line width", width=width))
         self.width_field.stepped.connect(self._step_width)
         self.width_field.refused.connect(self.announce)
@@ -164,8 +164,14 @@ class CurvePanel(QWidget):
         if told:
             self.announce.emit(told)
 
-    def _choose_colour(self) -> None:
-        if self._item is not None:
+    def choose_colour(self) -> None:
+        """Ask for another colour of the selected curves."""
+        chosen = [self._document.drawing[i] for i in self._selection.curves]
+        if self._item is None:
+            return
+        if all(item.locked for item in chosen):
+            self.announce.emit(words.locked_reason(self._item.name))
+        else:
             colour = QColorDialog.getColor(QColor(self._item.color), self, "Colour of the line")
             if colour.isValid():
                 self._set_style("Change line colour", color=colour.name())

@@ -130,6 +130,9 @@ class CurveList(RowList):
     lock_clicked = Signal(int)
     """The lock of this row was clicked."""
 
+    swatch_clicked = Signal(int)
+    """The colour of this row was clicked twice."""
+
     dragged = Signal(int, int)
     """A row was dragged to another place, counted without it."""
 
@@ -205,9 +208,14 @@ class CurveList(RowList):
         self.viewport().update()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        """Rename, except on eye and lock, where a second click is a click."""
-        if self._on_icon(event.position().toPoint()):
+        """Rename; on the colour recolour, and on eye and lock a second click is a click."""
+        position = event.position().toPoint()
+        index = self.indexAt(position)
+        if self._on_icon(position):
             self.mousePressEvent(event)
+        elif index.isValid() and position.x() < _name_rect(self.visualRect(index)).left() - 4:
+            self._dragged = -1
+            self.swatch_clicked.emit(index.row())
         else:
             super().mouseDoubleClickEvent(event)
 

@@ -16,8 +16,8 @@ from theditor.panels.parts import column, describe, heading
 from theditor.panels.segment_model import runs
 
 _LIST_TIP = (
-    "Curves of the drawing, the topmost last. Ctrl+click and Shift+click select several. Double-click or F2 renames; "
-    "eye and lock can be clicked; a drag or Ctrl with an arrow key reorders."
+    "Curves of the drawing, the topmost last. Ctrl+click and Shift+click select several. Double-click or F2 renames, "
+    "a double click on the colour recolours; eye and lock can be clicked; a drag or Ctrl with an arrow key reorders."
 )
 
 
@@ -26,6 +26,9 @@ class CurvesPanel(QWidget):
 
     announce = Signal(str)
     """A sentence for the status line."""
+
+    recolour_requested = Signal()
+    """The current curve, and those selected with it, want another colour."""
 
     add_requested = Signal()
     """A new curve is wanted; where it goes depends on the view."""
@@ -62,6 +65,7 @@ class CurvesPanel(QWidget):
         self.model.renamed.connect(self._rename)
         self.list.eye_clicked.connect(self._toggle_visible)
         self.list.lock_clicked.connect(self._toggle_locked)
+        self.list.swatch_clicked.connect(self.recolour_requested)
         self.list.dragged.connect(self._reorder)
         self.list.selectionModel().currentChanged.connect(self._select)
         self.list.selectionModel().selectionChanged.connect(self._select)
@@ -179,13 +183,15 @@ class CurvesPanel(QWidget):
         rows = sorted(index.row() for index in self.list.selectionModel().selectedIndexes())
         if self._following or not rows:
             return
-        current = self.list.currentIndex().row()
-        current = current if current in rows else rows[-1]
+        wanted = self.list.currentIndex().row()
+        current = wanted if wanted in rows else rows[-1]
         if rows == [current]:
             self._selection.select(curve=current)
         else:
             chosen = self._selection.chosen
             self._selection.select_across({row: chosen.get(row, ()) for row in rows}, current)
+        if wanted in rows:  # else the list is about to select it
+            self._show_current()
 
     def _follow(self, old: Drawing, new: Drawing) -> None:
         # Rows that come and go make the list move its current row: that is no wish of the person's.
