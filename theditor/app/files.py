@@ -48,7 +48,7 @@ class Files:
         try:
             self._window.document.open(path)
         except DrawingError as error:
-            self._report(error)
+            self.report(error)
             return False
         remember_file(path)
         show_kept_view(path, self._window.canvas)
@@ -125,6 +125,11 @@ class Files:
             recovery.flush()
         self._window.outside.close()
 
+    def report(self, error: DrawingError) -> None:
+        """Tell what is wrong with a file, and log it."""
+        log.warning("%s", error)
+        self._window.messages.tell(str(error))
+
     def _keep_view(self) -> None:
         """Remember how the file is looked at, before the drawing goes."""
         keep_view(self._window.document.path, self._window.canvas)
@@ -161,12 +166,8 @@ class Files:
         try:
             self._window.document.save(path, overwrite)
         except DrawingError as error:
-            self._report(error)
+            self.report(error)
             return False
         remember_file(path)
         self._window.announce(f"Saved {path}")
         return True
-
-    def _report(self, error: DrawingError) -> None:
-        log.warning("%s", error)
-        self._window.messages.tell(str(error))

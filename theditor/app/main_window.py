@@ -29,6 +29,8 @@ from theditor.app.outside import Outside
 from theditor.app.problems import MessageBar
 from theditor.app.tour import GuideBar
 from theditor.app.windows import open_windows, same_file
+from theditor.app.work import Work
+from theditor.app.work_card import WorkCard
 from theditor.canvas import Canvas, Pointed
 from theditor.canvas.held import every_point
 from theditor.drawing import Item
@@ -70,6 +72,8 @@ class MainWindow(QMainWindow):
         self.recovery = Recovery(self.document, self)
         self.outside = Outside(self)
         self.files = Files(self)
+        self.work = Work(self)
+        WorkCard(self.work, self.canvas)
         self.clipboard = Clipboard(self)
         self._build_panels()
         self.coordinates = Coordinates(self)
@@ -371,6 +375,7 @@ class MainWindow(QMainWindow):
         if not self.may_discard():
             event.ignore()
             return
+        self.work.stop()
         self.files.leave()
         if self in open_windows:
             open_windows.remove(self)

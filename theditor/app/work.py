@@ -1,0 +1,150 @@
+"""Long work, done in a thread of its own: the window stays usable meanwhile, and the work can be called off."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from functools import partial
+from threading import Thread
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtWidgets import QApplication
+
+from theditor.app.problems import log
+from theditor.drawing import DrawingError
+from theditor.exchange import Progress
+
+if TYPE_CHECKING:
+    from theditor.app.main_window import MainWindow
+
+Result = TypeVar("Result")
+
+PATIENCE = 2.0
+"""Seconds that a closing window waits for work to end."""
+_PAUSE = 50  # milliseconds between looks whether the hand has left the drawing
+
+
+class CancelledError(Exception):
+    """The work was called off: what the report of progress raises then, which ends it."""
+
+
+class Job(QObject):
+    """One piece of long work."""
+
+    ended = Signal(object)
+    """Sent from its thread."""
+
+    def __init__(
+        self, words: str, function: Callable[[Progress], Any], done: Callable[[Any], object], bound: bool
+    ) -> None:
+        super().__init__()
+        self.words, self.done, self.bound = words, done, bound
+        self.share = 0.0
+        self.cancelled = False
+        self.result: Any = None
+        self.error: Exception | None = None
+        self._function = function
+        self.task = Thread(target=self._run, name=words, daemon=True)
+
+    def _run(self) -> None:
+        try:
+            self.result = self._function(self._report)
+        except Exception as error:
+            self.error = error
+        with suppress(RuntimeError):  # Qt has ended before it
+            self.ended.emit(self)
+
+    def _report(self, share: float) -> None:
+        if self.cancelled:
+            raise CancelledError
+        self.share = share
+
+
+class Work(QObject):
+    """Does the long work of one window, and hands over there what comes of it."""
+
+    changed = Signal()
+    """Another job is under way, or one fewer."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self._jobs: list[Job] = []  # until their threads have ended: Qt's objects must not end in another one
+        window.document.leaving.connect(self._leave_drawing)
+
+    @property
+    def jobs(self) -> tuple[Job, ...]:
+        """Those under way, the oldest first."""
+        return tuple(job for job in self._jobs if not job.cancelled)
+
+    def start(
+        self,
+        words: str,
+        function: Callable[[Progress], Result],
+        done: Callable[[Result], object],
+        *,
+        bound: bool = False,
+    ) -> None:
+        """Call a function in a thread, and hand its result to `done` in this one.
+
+        That waits until no hand is on the drawing. A `DrawingError` is told in the window; other errors go to
+        `sys.excepthook`.
+
+        Parameters
+        ----------
+        words
+            What is going on: ``"Importing “house.svg”"``.
+        function
+            Must touch neither window nor document: immutable values alone. It is given a `Progress`, to be told
+            now and then the share that is done; that raises once the work is called off.
+        bound
+            Whether the work is for the drawing at hand, and is called off when another one takes its place.
+        """
+        job = Job(words, function, done, bound)
+        job.ended.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
+        self._jobs.append(job)
+        self.changed.emit()
+        job.task.start()
+
+    def cancel(self, job: Job) -> None:
+        """Call a job off. Nothing comes of it, even if it does not end at once."""
+        if not job.cancelled:
+            job.cancelled = True
+            self._window.announce(f"{job.words} was cancelled.")
+            self.changed.emit()
+
+    def stop(self) -> None:
+        """The window closes: call off what was for its drawing, and wait a little for the rest, files."""
+        self._leave_drawing()
+        end = time.monotonic() + PATIENCE
+        for job in self.jobs:
+            job.task.join(max(end - time.monotonic(), 0.0))
+            job.cancelled = True
+            if job.error is not None:
+                log.warning("%s: %s", job.words, job.error)
+        self.changed.emit()
+
+    def _leave_drawing(self) -> None:
+        for job in self.jobs:
+            if job.bound:
+                self.cancel(job)
+
+    def _deliver(self, job: Job) -> None:
+        at_hand = self._window.document.before is not None or QApplication.mouseButtons()
+        if at_hand and not job.cancelled:
+            QTimer.singleShot(_PAUSE, self, partial(self._deliver, job))
+            return
+        job.task.join()
+        self._jobs.remove(job)
+        if job.cancelled:
+            return
+        self.changed.emit()
+        if job.error is None:
+            job.done(job.result)
+        elif isinstance(job.error, DrawingError):
+            self._window.files.report(job.error)
+        else:
+            sys.excepthook(type(job.error), job.error, job.error.__traceback__)
