@@ -96,21 +96,27 @@ class ChordTree:
         """How many segments there are."""
         return len(self._owner)
 
+    @property
+    def sizes(self) -> Floats:
+        """Width and height of the box around each curve, (2, curves)."""
+        return self._levels[-1].high - self._levels[-1].low
+
     def follow(self, curves: Sequence[Curve]) -> bool:
         """Become the tree over other curves by changing what differs; returns False where too much does."""
         if len(curves) != len(self._curves):
             return False
-        rows, patches = [], []
+        rows, patches, count = [], [], 0
         for place, (old, new) in enumerate(zip(self._curves, curves, strict=True)):
             if old is not new:
                 segments = changed_segments(old, new)
                 if segments is None:
                     return False
+                count += len(segments)
+                if 8 * count > self.size:
+                    return False
                 rows.append(segments + self._begins[place])
                 patches.append((new, segments))
         changed = np.concatenate([np.empty(0, dtype=np.intp), *rows])
-        if 8 * len(changed) > len(self._owner):
-            return False
         for where, (curve, segments) in zip(rows, patches, strict=True):
             for mine, new_part in zip(self._parts, joints.take_segments(curve, segments), strict=True):
                 mine[..., where] = new_part

@@ -11,6 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from theditor.canvas.chords import ChordTree
+from theditor.canvas.handles import FEW, MOST_IN_SQUARE, SQUARE
 from theditor.canvas.hit_test import near_points
 from theditor.canvas.lines import clipped, draw_lines
 from theditor.canvas.projection import projected
@@ -62,6 +63,14 @@ class CurvesPainter:
     def seen(self, index: int, viewport: Viewport, margin: float = 8.0) -> Ints:
         """The segments of curve `index` that may be in view, ascending."""
         return self._tree.seen(self._places[index], *viewport.window(margin))
+
+    def packed(self, viewport: Viewport) -> set[int]:
+        """Curves that have many control points in very little room on the screen."""
+        width, height = self._tree.sizes * (viewport.scale / SQUARE)
+        counts = np.array([len(curve.control_points) for curve in self._curves])
+        packed = (counts > FEW) & (counts > 2 * MOST_IN_SQUARE * (width + 1) * (height + 1))
+        indices = list(self._places)
+        return {indices[place] for place in np.flatnonzero(packed).tolist()}
 
     def near(
         self, at: Floats, reach: float, viewport: Viewport, without: Mapping[int, Ints] | None = None

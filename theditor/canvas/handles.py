@@ -145,14 +145,12 @@ def paint_handles(
     """Paint the handles of some control points, those with an inactive λ dashed."""
     active = curve.active_lambdas[points]
     for look, chosen in ((Look.INACTIVE, points[~active]), (Look.PLAIN, points[active])):
-        _paint_look(painter, curve, chosen, look, viewport, colours)
+        _paint_look(painter, curve.control_points[chosen], look, viewport, colours)
 
 
-def paint_selected(
-    painter: QPainter, curve: Curve, points: Ints, viewport: Viewport, colours: Colours
-) -> None:
-    """Paint the filled handles of selected control points, which cover the other ones."""
-    _paint_look(painter, curve, points, Look.SELECTED, viewport, colours)
+def paint_selected(painter: QPainter, places: Floats, viewport: Viewport, colours: Colours) -> None:
+    """Paint the filled handles of selected control points (n, 2), which cover the other ones."""
+    _paint_look(painter, places, Look.SELECTED, viewport, colours)
 
 
 def paint_hovered(painter: QPainter, curve: Curve, point: int, viewport: Viewport, colours: Colours) -> None:
@@ -167,10 +165,7 @@ def paint_hovered(painter: QPainter, curve: Curve, point: int, viewport: Viewpor
     paint_handles(painter, curve, np.array([point]), viewport, colours)
 
 
-def _paint_look(
-    painter: QPainter, curve: Curve, points: Ints, look: Look, viewport: Viewport, colours: Colours
-) -> None:
-    places = curve.control_points[points]
+def _paint_look(painter: QPainter, places: Floats, look: Look, viewport: Viewport, colours: Colours) -> None:
     places = places[points_inside(places, viewport)]
     pixels = thinned(viewport.to_pixels(places), viewport.to_pixels((0.0, 0.0)))
     ratio = painter.device().devicePixelRatioF()

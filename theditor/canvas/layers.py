@@ -94,7 +94,8 @@ class Layers:
         self._keep(still, {i: alive[i] for i in now}, frame)
         painter.drawPixmap(0, 0, self._below)
         paint_behind(painter, frame, seen)
-        pieces = [self._piece(frame, i, seen(i), self._alive[i]) for i in held if i in self._alive]
+        alive_ones = [i for i in held if i in self._alive and i in self._details]
+        pieces = [self._piece(frame, i, seen(i), self._alive[i]) for i in alive_ones]
         if frame.shown.ghost and frame.before is not None:
             for index in now:
                 before, segments = self._curves.plane_curve(index), alive[index].segments
@@ -126,7 +127,9 @@ class Layers:
                 alive[i] = part.united(curve := still.drawing[i].curve, alive.get(i) or no_part(curve))
         shift = None if alive or self._alive else self._shift(still)
         self._still, self._alive = still, alive
-        pieces = [self._still_piece(frame, index) for index in still.held]
+        self._details = {}
+        packed = self._curves.packed(still.plane)
+        pieces = [self._still_piece(frame, index) for index in still.held if index not in packed]
         exposed = self._scrolled(*shift) if shift is not None else self._blank()
         painter = QPainter(self._below)
         paint_ground(painter, frame)
@@ -208,7 +211,5 @@ def _told_apart(frame: Frame) -> tuple[Drawing, dict[int, Part]]:
     """The drawing that stands still, and the parts that are alive, by the curve."""
     if frame.before is None or frame.before is frame.drawing:
         return frame.drawing, {}
-    parts = changed_parts(frame.before, frame.drawing)
-    if parts is None or sum(len(part.segments) for part in parts.values()) > MOST_ALIVE:
-        return frame.drawing, {}
-    return frame.before, parts
+    parts = changed_parts(frame.before, frame.drawing, MOST_ALIVE)
+    return (frame.drawing, {}) if parts is None else (frame.before, parts)

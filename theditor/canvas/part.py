@@ -74,16 +74,22 @@ def no_part(curve: Curve) -> Part:
     return Part(curve, NOTHING, NOTHING)
 
 
-def changed_parts(old: Drawing, new: Drawing) -> dict[int, Part] | None:
-    """What differs between two drawings, by the curve; None if they do not correspond point by point."""
+def changed_parts(old: Drawing, new: Drawing, most: int) -> dict[int, Part] | None:
+    """What differs between two drawings, by the curve.
+
+    None if they do not correspond point by point, or differ in more than so many segments.
+    """
     if len(old) != len(new):
         return None
-    parts = {}
+    parts, count = {}, 0
     for index, (before, now) in enumerate(zip(old, new, strict=True)):
         if before is now:
             continue
         segments = changed_segments(before.curve, now.curve)
         if segments is None or not _same_style(before, now):
+            return None
+        count += len(segments)
+        if count > most:
             return None
         points = NOTHING
         if before.curve.control_points is not now.curve.control_points:

@@ -208,8 +208,9 @@ def _paint_held(painter: QPainter, frame: Frame, seen: Seen) -> None:
         paint_box(painter, frame.box, plane, colours)
     if isinstance(frame.hit, PointHit):
         handles.paint_hovered(painter, seen(frame.hit.curve), frame.hit.index, plane, colours)
-    for index in frame.held:
-        handles.paint_selected(painter, seen(index), frame.chosen[index], plane, colours)
+    selected = [seen(i).control_points[points] for i in frame.held if len(points := frame.chosen[i])]
+    if selected:
+        handles.paint_selected(painter, np.concatenate(selected), plane, colours)
     for track in _tracks(frame, curve):
         overlays.paint_track(painter, curve, track, plane, colours, frame.font)
 
