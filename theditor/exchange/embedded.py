@@ -14,7 +14,7 @@ from xml.sax.saxutils import escape
 
 from theditor.drawing import Drawing, decode, encode
 
-NAMESPACE: Final = "https://theditor.invalid/drawing"
+NAMESPACE: Final = "urn:theditor:drawing"
 _SVG: Final = "http://www.w3.org/2000/svg"
 _LOOKS: Final = ("d", "transform", "style", "stroke", "stroke-width", "display", "visibility")
 
