@@ -157,3 +157,13 @@ def test_any_size_of_drawing_is_written(factor):
     found = entities(write(Drawing([Item(curve)]), ".dxf").data)
     _, off = nearest(curve, points_of(*found[0], steps=3)[:, :2])
     assert off.max() <= 1.01e-4 * size_of(curve)
+
+
+def test_ellipses_too_small_for_the_format_are_drawn_all_the_same():
+    tiny = ELLIPSE.with_(control_points=ELLIPSE.control_points * 1e-13)
+    (found,) = entities(write(Drawing([Item(tiny)]), ".dxf").data)
+    assert found[0] == "SPLINE"
+    assert gap(points_of(*found)[:, :2], tiny.sample(600)) <= 1e-6 * size_of(tiny)
+    kinds = [kind for kind, _ in entities(write(Drawing([Item(tiny), Item(ELLIPSE)]), ".dxf").data)]
+    assert "ELLIPSE" not in kinds[:-1]
+    assert kinds[-1] == "ELLIPSE"

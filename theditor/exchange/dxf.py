@@ -27,6 +27,8 @@ Floats = NDArray[np.float64]
 _VERSION: Final = "R2010"  # the oldest in UTF-8 with colours as they are
 _MILLIMETRES: Final = 4
 _FORBIDDEN: Final = re.compile(r"""[<>/\\":;?*|=`,]""")
+_LEAST_AXIS: Final = 2e-12  # shorter ones are none to the library
+_EXACT: Final = 1e-9  # of the drawing's size, which counts as exact
 _SAME: Final = 1e-12  # relative difference of ellipses that are one
 
 
@@ -55,7 +57,8 @@ def _add_curves(document: Document, curves: Sequence[Item], tolerance: float) ->
         layer.rgb = tuple(bytes.fromhex(item.color[1:]))  # type: ignore[assignment]
         hundredths = 100 * MM_PER_PIXEL * item.width
         layer.dxf.lineweight = min(const.VALID_DXF_LINEWEIGHTS, key=lambda each: abs(each - hundredths))
-        pieces = outline(item.curve, tolerance * size, conics=True)
+        arcs = size * _EXACT >= _LEAST_AXIS
+        pieces = outline(item.curve, tolerance * size, arcs=arcs, conics=True)
         deviation = max(deviation, pieces.deviation)
         _draw(pieces, document.modelspace(), {"layer": layer.dxf.name})
     return deviation
@@ -116,16 +119,20 @@ def _ellipses(ends: Floats, centres: Floats) -> Iterator[tuple[Floats, Floats, F
 def _add_ellipse(
     space: Modelspace, centre: Floats, first: Floats, second: Floats, quarters: int, look: dict[str, Any]
 ) -> None:
+    turn = [first, second, -first, -second]
+    last, before_last = turn[quarters % 4], turn[(quarters - 1) % 4]
     normal = np.cross(first, second)
     if tuple(normal[::-1]) < (0, 0, 0):
         # Run through backwards it turns to the left as seen from above, which more programs draw well.
-        turn = [first, second, -first, -second]
-        first, second = turn[quarters % 4], turn[(quarters - 1) % 4]
+        first, second, last = last, before_last, first
         normal = -normal
     square = float(first @ first), float(second @ second)
     angle = np.arctan2(2 * float(first @ second), square[0] - square[1]) / 2
     major = first * np.cos(angle) + second * np.sin(angle)
     minor = second * np.cos(angle) - first * np.sin(angle)
+    if float(np.abs(major).max()) < _LEAST_AXIS:
+        _add_lines(space, centre + np.stack((first, last)), look)
+        return
     ratio = min(1.0, float(np.linalg.norm(minor) / np.linalg.norm(major)))
     start = float(-angle % (2 * np.pi)) if quarters < 4 else 0.0
     end = start + quarters * np.pi / 2 if quarters < 4 else 2 * np.pi

@@ -73,7 +73,8 @@ def write_png(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     QImageWriter(buffer, QByteArray(b"png")).write(image)
-    return Written(bytes(buffer.data().data()), shown.deviation, shown.notes)
+    notes = (f"1 unit is {shown.unit * scale:.6g} pixels.", *shown.notes[1:])
+    return Written(bytes(buffer.data().data()), shown.deviation, notes)
 
 
 def write_pdf(drawing: Drawing, options: Options = DEFAULTS) -> Written:

@@ -33,6 +33,7 @@ TEETH: Final = 24
 _DASHES: Final[tuple[tuple[float, ...], ...]] = ((), (2.4, 1.2), (2.8, 0.9, 0.5, 0.9), (0.5, 0.8))
 """In print style, in mm: trigonometric, hyperbolic, interpolating, blend."""
 _PRINTED: Final = frozenset({"polygon", "points", "labels"})
+_NOTHING: Final = 1e-100  # an extent of which squares and tolerances would be none
 _TYPICAL: Final = 0.03  # length of a typical tooth, as a share of the drawing's size
 _LONGEST: Final = 0.3  # of the longest one
 
@@ -110,7 +111,7 @@ def scene(drawing: Drawing, options: Options, *, size: float | None, arcs: bool)
             around.append(curve.control_points)
     every = np.vstack(around)
     low, high = every.min(axis=0), every.max(axis=0)
-    longest = float((high - low).max()) or 1.0
+    longest = _longer(low, high)
     natural = size is None and options.scale is None
     line = longest / float(np.clip(longest, *ORDINARY)) if natural else 1.0
     widest = max((item.width for item, _ in shown), default=1.0) * MM_PER_PIXEL
@@ -144,7 +145,13 @@ def box(curves: Sequence[Curve]) -> tuple[Floats, Floats, float]:
     dimension = max(curve.dimension for curve in curves)
     corners = [np.pad(bounds(curve, 1e-6), ((0, 0), (0, dimension - curve.dimension))) for curve in curves]
     low, high = np.min(corners, axis=0)[0], np.max(corners, axis=0)[1]
-    return low, high, float((high - low).max()) or 1.0
+    return low, high, _longer(low, high)
+
+
+def _longer(low: Floats, high: Floats) -> float:
+    """Return the longer side of a box; 1 if it has none to calculate with."""
+    side = float((high - low).max())
+    return side if side > _NOTHING else 1.0
 
 
 def remarks(drawing: Drawing, *, plane: bool) -> Iterator[str]:

@@ -29,6 +29,7 @@ TOLERANCE: Final = 1e-4
 """The default tolerance, relative to the longer side of the box around a curve."""
 _THINNEST: Final = 1e-5  # axis ratio of an ellipse whose centre others find from its ends and axes
 _NONE: Final = 1e-12  # of a segment's size: a linear term this small is none
+_LEAST: Final = 1e-150  # of tolerances to calculate with
 _EPS: Final = float(np.finfo(float).eps)
 
 
@@ -122,7 +123,7 @@ def outline(
     """
     if tolerance is None:
         low, high = bounds(curve, 1e-3)
-        tolerance = TOLERANCE * float((high - low).max()) or 1.0
+        tolerance = max(TOLERANCE * float((high - low).max()), _LEAST)
     if not 0 < tolerance < np.inf:
         raise ValueError(f"tolerance must be a positive number, not {tolerance!r}")
     parts = curve.joint_form
