@@ -4,6 +4,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from theditor.spline import Curve, fit, nearest
+from theditor.spline.fit import LIKE_POLYNOMIALS
 
 few = settings(max_examples=6, deadline=None)
 degrees = pytest.mark.parametrize("degree", [2, 3])
@@ -147,3 +148,18 @@ def test_corners_given_are_met_exactly_and_nothing_else_is_one(degree):
             fit(square, degree, corners=corners, closed=True)
     with pytest.raises(ValueError, match="no point may repeat"):
         fit([(0, 0), (1, 0), (1, 0), (1, 1)], degree, corners=[2])
+
+
+def test_free_ends_and_a_polynomial_like_lambda_need_few_points_for_a_tight_tolerance():
+    t = np.linspace(0, 1, 400)
+    arch = np.stack((100 * t, 120 * t * (1 - t)), axis=1)
+    free, clamped = (
+        fit(arch, 3, 0.01, ends=ends, shape=False, lam=LIKE_POLYNOMIALS[3]) for ends in ("free", "clamped")
+    )
+    assert free.curve.ends == "free"
+    assert free.deviation <= 0.01
+    assert free.deviation == pytest.approx(missed(arch, free.curve), rel=0.05)
+    assert len(free.curve.control_points) <= 6 < len(clamped.curve.control_points)
+    np.testing.assert_allclose(free.curve([0, free.curve.segment_count]), arch[[0, -1]], atol=1e-12)
+    quadratic, _ = fit(arch, 2, 0.01, shape=False, lam=LIKE_POLYNOMIALS[2])
+    assert len(quadratic.control_points) <= 9
