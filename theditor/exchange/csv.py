@@ -47,7 +47,7 @@ def write(drawing: Drawing, options: Options = DEFAULTS) -> Written:
         name = [[item.name] * len(u)] if len(curves) > 1 else []
         table.writerows(zip(*name, *map(_filled, columns), strict=True))
     notes = tuple(remarks(drawing, plane=False))
-    return Written(stream.getvalue().encode(errors="replace"), deviation, notes)
+    return Written(stream.getvalue().encode(), deviation, notes)
 
 
 def _places(curve: Curve, options: Options, tolerance: float) -> tuple[Floats, Floats | None, float]:

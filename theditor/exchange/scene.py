@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from theditor.drawing import Drawing, Item
 from theditor.exchange.options import Options
 from theditor.spline import Curve, Outline, bounds, curvature, outline, projected
+from theditor.spline.extent import extent
 
 Floats = NDArray[np.float64]
 
@@ -29,7 +30,8 @@ POINT: Final = 0.75
 LABEL: Final = 3.6
 """Height of letters in mm."""
 TEETH: Final = 24
-"""Teeth of the comb on each segment."""
+"""Teeth of the comb on each segment, fewer on a very long curve."""
+MOST_TEETH: Final = 48_000
 _DASHES: Final[tuple[tuple[float, ...], ...]] = ((), (2.4, 1.2), (2.8, 0.9, 0.5, 0.9), (0.5, 0.8))
 """In print style, in mm: trigonometric, hyperbolic, interpolating, blend."""
 _PRINTED: Final = frozenset({"polygon", "points", "labels"})
@@ -100,17 +102,16 @@ def scene(drawing: Drawing, options: Options, *, size: float | None, arcs: bool)
     """
     shown = [(item, projected(item.curve)) for item in visible(drawing)]
     show = options.show | _PRINTED if options.print_style else options.show
-    low, high, extent = box([curve for _, curve in shown])
+    low, high, whole = box([curve for _, curve in shown])
     around = [low, high]
     combs = []
     for _, curve in shown:
-        teeth, crests = _comb(curve, extent) if "comb" in show else (np.empty((0, 2, 2)), ())
+        teeth, crests = _comb(curve, whole) if "comb" in show else (np.empty((0, 2, 2)), ())
         combs.append((teeth, crests))
         around += [teeth.reshape(-1, 2)]
         if show & {"polygon", "points", "labels"}:
             around.append(curve.control_points)
-    every = np.vstack(around)
-    low, high = every.min(axis=0), every.max(axis=0)
+    low, high = extent(np.vstack(around))
     longest = _longer(low, high)
     natural = size is None and options.scale is None
     line = longest / float(np.clip(longest, *ORDINARY)) if natural else 1.0
@@ -121,7 +122,7 @@ def scene(drawing: Drawing, options: Options, *, size: float | None, arcs: bool)
         margin = min(margin, size / 4)
         unit = (size - 2 * margin) / longest
     figures = tuple(
-        _figure(item, curve, options, show, options.tolerance * extent, arcs, line / unit, *comb)
+        _figure(item, curve, options, show, options.tolerance * whole, arcs, line / unit, *comb)
         for (item, curve), comb in zip(shown, combs, strict=True)
     )
     deviation = max((stroke.outline.deviation for each in figures for stroke in each.strokes), default=0.0)
@@ -223,21 +224,22 @@ def _unit(vectors: Floats) -> Floats:
     return unit
 
 
-def _comb(curve: Curve, extent: float) -> tuple[Floats, tuple[Floats, ...]]:
+def _comb(curve: Curve, size: float) -> tuple[Floats, tuple[Floats, ...]]:
     """Return teeth, (k, 2, 2), on the outer side of the bend, and the crests that join their tips."""
-    u = np.arange(curve.segment_count)[:, None] + np.arange(TEETH + 1) / TEETH
+    teeth = max(1, min(TEETH, MOST_TEETH // curve.segment_count))
+    u = np.arange(curve.segment_count)[:, None] + np.arange(teeth + 1) / teeth
     feet, along, bend = (
         np.concatenate((first, last), axis=1)
         for first, last in zip(_at(curve, u[:, :-1], "right"), _at(curve, u[:, -1:], "left"), strict=True)
     )
-    size = np.abs(bend[np.isfinite(bend) & (bend != 0)])
-    if not len(size):
+    bends = np.abs(bend[np.isfinite(bend) & (bend != 0)])
+    if not len(bends):
         return np.empty((0, 2, 2)), ()
-    reach = np.clip(bend * (_TYPICAL * extent / np.median(size)), -_LONGEST * extent, _LONGEST * extent)
+    reach = np.clip(bend * (_TYPICAL * size / np.median(bends)), -_LONGEST * size, _LONGEST * size)
     tips = feet + np.stack((along[..., 1], -along[..., 0]), axis=-1) * reach[..., None]
     sound = np.isfinite(tips).all(axis=-1)
-    teeth = np.stack((feet[sound], tips[sound]), axis=1)
-    return teeth, tuple(row[good] for row, good in zip(tips, sound, strict=True) if good.sum() > 1)
+    pairs = np.stack((feet[sound], tips[sound]), axis=1)
+    return pairs, tuple(row[good] for row, good in zip(tips, sound, strict=True) if good.sum() > 1)
 
 
 def _at(curve: Curve, u: Floats, side: Literal["left", "right"]) -> tuple[Floats, Floats, Floats]:

@@ -51,7 +51,7 @@ def write(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     ]
     text = "\n".join(lines) + "\n"
     deviation = shown.deviation + (_ROUNDING / shown.unit if shown.figures else 0.0)
-    return Written(text.encode(errors="replace"), deviation, shown.notes)
+    return Written(text.encode(), deviation, shown.notes)
 
 
 def _curve(number: int, figure: Figure, shown: Scene) -> Iterator[str]:

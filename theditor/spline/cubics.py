@@ -55,11 +55,13 @@ def cubics(segments: Segments, degree: int, tolerance: float) -> Cubics:
 
 
 def _together(found: list[Cubics], deviation: float) -> Cubics:
+    """Return the same as one."""
     row, t, start, inner = (np.concatenate(part) for part in list(zip(*found, strict=True))[:4])
     return Cubics(row, t, start, inner, deviation)
 
 
 def _block(segments: Segments, degree: int, tolerance: float, first: int) -> Cubics:
+    """Approximate some segments, the first of which is row `first`."""
     # Near its own start a segment is known more exactly than far from the origin.
     origin = segments.start
     near = segments._replace(start=np.zeros_like(origin), end=segments.end - origin)
@@ -153,13 +155,15 @@ def _distances(coefficients: Floats, curve: Floats, bezier: Floats, sharp: NDArr
 
 def _look_closely(off: Floats, chosen: NDArray[np.bool_], coefficients: Floats, inner: Floats) -> None:
     """Raise the deviations of chosen pieces to what finer steps find."""
-    if chosen.any():
-        coefficients, inner = coefficients[:, chosen], inner[:, :, chosen]
-        curve = _derivatives(coefficients, _FINE_STEPS)
+    pieces = np.flatnonzero(chosen)
+    for first in range(0, len(pieces), _BLOCK):
+        some = pieces[first : first + _BLOCK]
+        coefs, handles = coefficients[:, some], inner[:, :, some]
+        curve = _derivatives(coefs, _FINE_STEPS)
         along = curve[1] / np.maximum(_length(curve[1]), 1e-300)
         sharp = _sharp(along[..., 0], along, along[..., -1])
-        bezier = _bezier(coefficients[..., 0], inner, coefficients[..., -1], _weights(_FINE_STEPS))
-        off[chosen] = np.maximum(off[chosen], _distances(coefficients, curve, bezier, sharp).max(axis=1))
+        bezier = _bezier(coefs[..., 0], handles, coefs[..., -1], _weights(_FINE_STEPS))
+        off[some] = np.maximum(off[some], _distances(coefs, curve, bezier, sharp).max(axis=1))
 
 
 def _bezier(start: Floats, inner: Floats, end: Floats, weights: Floats) -> Floats:
