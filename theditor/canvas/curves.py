@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 
 from theditor.canvas.chords import ChordTree
 from theditor.canvas.handles import FEW, MOST_IN_SQUARE, SQUARE
-from theditor.canvas.hit_test import near_points
+from theditor.canvas.held import Held
 from theditor.canvas.lines import clipped, draw_lines
 from theditor.canvas.projection import projected
 from theditor.canvas.trace import TOLERANCE, Stroke, strokes
@@ -40,7 +40,8 @@ class CurvesPainter:
         self._sources: list[Curve] = []
         self._curves: list[Curve] = []
         self._tree = ChordTree([])
-        self._points: Floats | None = None
+        self.handles = Held(Drawing(), {})
+        """All control points of the visible curves."""
 
     def update(self, drawing: Drawing) -> None:
         """Follow the drawing; costs what has changed since the last time."""
@@ -54,7 +55,8 @@ class CurvesPainter:
         if not self._tree.follow(curves):
             self._tree = ChordTree(curves)
         self._places = {i: place for place, i in enumerate(visible)}
-        self._sources, self._curves, self._points = sources, curves, None
+        self._sources, self._curves = sources, curves
+        self.handles = Held(drawing, {i: np.arange(len(drawing[i].curve.control_points)) for i in visible})
 
     def plane_curve(self, index: int) -> Curve:
         """Curve `index` as it is seen; it must be visible."""
@@ -90,17 +92,6 @@ class CurvesPainter:
             own = slice(*np.searchsorted(found.curves, (place, place + 1)).tolist())
             result[indices[place]] = Stroke(-1, lines[own], found.segments[own], found.parameters[own])
         return result
-
-    def points_near(self, at: Floats, reach: float, viewport: Viewport) -> list[tuple[int, int]]:
-        """Control points within reach, in pixels, of a pixel (2,), as curve and index; nearest first."""
-        if self._points is None:
-            parts = [curve.control_points for curve in self._curves]
-            self._points = np.concatenate(parts) if parts else np.empty((0, 2))
-        found = near_points(self._points, at, viewport, reach)
-        starts = np.cumsum([0, *(len(curve.control_points) for curve in self._curves)])
-        places = (np.searchsorted(starts, found, side="right") - 1).tolist()
-        indices = list(self._places)
-        return [(indices[place], i - int(starts[place])) for i, place in zip(found, places, strict=True)]
 
     def _by_place(self, segments: Mapping[int, Ints] | None) -> dict[int, Ints]:
         return {self._places[i]: of for i, of in (segments or {}).items() if i in self._places}

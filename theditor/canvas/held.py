@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from theditor.canvas.projection import projected
-from theditor.canvas.viewport import Viewport
+from theditor.canvas.viewport import Viewport, inside
 from theditor.drawing import Drawing
 from theditor.spline import MAX_COORDINATE, Curve
 
@@ -43,9 +43,8 @@ class Held:
 
     def near(self, at: Floats, reach: float, plane: Viewport) -> dict[int, Ints]:
         """Those within a square around a pixel (2,), by their curve."""
-        a, b = plane.to_points(at - reach), plane.to_points(at + reach)
-        places, low, high = self.places, np.minimum(a, b), np.maximum(a, b)
-        return self.by_curve(np.flatnonzero(((places >= low) & (places <= high)).all(axis=1)))
+        middle, away = plane.to_points(at), reach / plane.scale
+        return self.by_curve(inside(self.places, middle - away, middle + away))
 
     def numbers(self, points: Mapping[int, Ints]) -> Ints:
         """The numbers of those of some control points that are in the set, which then holds all of their curves."""

@@ -76,10 +76,12 @@ class Snapper:
         )
 
     def _control_point(self, at: Floats, plane: Viewport, moves: Moving) -> Snapped | None:
-        for i, point in self._curves.points_near(at, REACH, plane):
-            if point not in moves.points.get(i, NOTHING):
-                return Snapped(self._curves.plane_curve(i).control_points[point], indexed("P", point))
-        return None
+        found = []
+        for i, near in self._curves.handles.near(at, REACH, plane).items():
+            near = np.setdiff1d(near, moves.points.get(i, NOTHING), assume_unique=True)
+            places = self._curves.plane_curve(i).control_points[near]
+            found += [(places[k], indexed("P", near[k])) for k in near_points(places, at, plane)[:1]]
+        return _nearest(found, at, plane)
 
     def _joint(self, at: Floats, near: Mapping[int, Stroke], plane: Viewport) -> Snapped | None:
         found = []
