@@ -1,10 +1,11 @@
 """What stands still is painted once, what moves on every frame: how a drag costs the same on any drawing.
 
 Two pictures of the drawing are kept: one, opaque, of what lies below the curves (ground, grid, polygons, comb,
-halos), one of the curves and what lies above them (joints, signs, handles). A frame shows the first, paints
-what is alive, shows the second, and paints what is above all: what is selected, what is under the pointer, what
-the hand is about to do. The pictures are painted anew only when something that they show has changed: the view,
-the theme, the drawing. While the hand pans, the second is shifted, and painted where it comes into view.
+halos), one of the curves and what lies above them (joints, signs, handles). A frame shows the first, then the
+second, each followed by what is alive there, and paints what is above all: what is selected, what is under the
+pointer, what the hand is about to do. The pictures are painted anew only when something that they show has
+changed: the view, the theme, the drawing. While the hand pans, the second is shifted, and painted where it
+comes into view.
 
 As long as a gesture is under way the pictures show the drawing before it, less the segments, edges, joints and
 handles that differ from it now. Those are alive, painted by the same functions as all others.
@@ -102,11 +103,11 @@ class Layers:
                 paint_ghost(painter, before, segments, frame.plane, frame.colours)
         for piece in pieces:
             paint_below(painter, frame, piece)
+        painter.drawPixmap(0, 0, self._above)
         for index in sorted(self._alive, key=lambda i: i == frame.current):
             by_mode = index == still.current and frame.shown.modes
             item, segments = frame.drawing[index], self._alive[index].segments
             paint_segments(painter, item, seen(index), segments, frame.plane, frame.colours, by_mode=by_mode)
-        painter.drawPixmap(0, 0, self._above)
         for piece in pieces:
             paint_above(painter, frame, piece)
         paint_hand(painter, frame, seen)

@@ -75,7 +75,7 @@ def no_part(curve: Curve) -> Part:
 
 
 def changed_parts(old: Drawing, new: Drawing, most: int) -> dict[int, Part] | None:
-    """What differs between two drawings, by the curve.
+    """What differs between two drawings, by the curve, with the control points beside it.
 
     None if they do not correspond point by point, or differ in more than so many segments.
     """
@@ -91,9 +91,10 @@ def changed_parts(old: Drawing, new: Drawing, most: int) -> dict[int, Part] | No
         count += len(segments)
         if count > most:
             return None
-        points = NOTHING
+        points = _corners(now.curve, segments)
         if before.curve.control_points is not now.curve.control_points:
-            points = differing_rows(before.curve.control_points, now.curve.control_points)
+            moved = differing_rows(before.curve.control_points, now.curve.control_points)
+            points = np.union1d(points, moved)
         parts[index] = Part(now.curve, segments, points)
     return parts
 
@@ -101,6 +102,12 @@ def changed_parts(old: Drawing, new: Drawing, most: int) -> dict[int, Part] | No
 def _same_style(one: Item, other: Item) -> bool:
     looks = attrgetter("color", "width", "visible", "locked")
     return bool(looks(one) == looks(other))
+
+
+def _corners(curve: Curve, segments: Ints) -> Ints:
+    """The control points of some segments."""
+    begins = segments + curve.first_segment - 1
+    return _spread(begins, curve.degree + 1, len(curve.control_points), closed=curve.closed)
 
 
 def _spread(begins: Ints, wide: int, count: int, *, closed: bool) -> Ints:
