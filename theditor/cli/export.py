@@ -11,10 +11,10 @@ from pathlib import Path
 from tqdm import tqdm
 
 from theditor.cli import UsageError, fail, streams
-from theditor.cli.formats import checked_options, chosen_suffix, names, told
+from theditor.cli.formats import checked_options, chosen_suffix, names
 from theditor.cli.window import missing_library
 from theditor.drawing import DrawingError, shown
-from theditor.exchange import PARTS, Options, writable, write
+from theditor.exchange import PARTS, Options, told, writable, write
 from theditor.exchange.options import DEFAULTS
 
 _BINARY = {".pdf", ".png"}

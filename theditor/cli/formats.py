@@ -38,9 +38,3 @@ def checked_options(**values: Any) -> Options:
         return Options(**values)
     except DrawingError as error:
         raise UsageError(str(error).removesuffix(".")) from None
-
-
-def told(deviation: float, notes: Sequence[str]) -> str:
-    """Return in one line how far what was written or read is from the original, and what else is to be known."""
-    first = "Exact." if deviation == 0 else f"The largest deviation is {deviation:.2g} units."
-    return " ".join([first, *notes])

@@ -8,9 +8,9 @@ import sys
 from tqdm import tqdm
 
 from theditor.cli import streams
-from theditor.cli.formats import checked_options, chosen_suffix, names, told
+from theditor.cli.formats import checked_options, chosen_suffix, names
 from theditor.drawing import DrawingError
-from theditor.exchange import read, readable
+from theditor.exchange import read, readable, told
 from theditor.exchange.options import DEFAULTS
 
 

@@ -4,7 +4,7 @@ Bytes in, bytes out; who calls stores them. Qt is loaded for PDF and PNG alone.
 """
 
 from theditor.exchange.formats import FORMATS, Format, read, readable, writable, write
-from theditor.exchange.options import PARTS, Imported, Options, Progress, Written
+from theditor.exchange.options import PARTS, Imported, Options, Progress, Written, told
 
 __all__ = [
     "FORMATS",
@@ -16,6 +16,7 @@ __all__ = [
     "Written",
     "read",
     "readable",
+    "told",
     "writable",
     "write",
 ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal
 
@@ -128,3 +128,9 @@ class Imported:
     """Largest distance from the file's own curves, measured, in units of the drawing; 0 where all is exact."""
     notes: tuple[str, ...] = ()
     """What was left out or approximated, a sentence each."""
+
+
+def told(deviation: float, notes: Sequence[str]) -> str:
+    """Return in one line how far what was written or read is from the original, and what else is to be known."""
+    first = "Exact." if deviation == 0 else f"The largest deviation is {deviation:.2g} units."
+    return " ".join([first, *notes])
