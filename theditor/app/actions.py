@@ -137,6 +137,17 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             (_Standard.SaveAs, "Ctrl+Shift+S"),
         ),
         Command(
+            "export",
+            "File",
+            "&Export…",
+            "Write the drawing as a picture or a table for other programs: SVG, PDF, PNG, DXF, TikZ, CSV",
+            lambda: dialogs.export(window),
+            ("Ctrl+E", "Ctrl+Shift+E"),
+            has_curve,
+            icon="export",
+            gap=True,
+        ),
+        Command(
             "recover",
             "File",
             "Reco&ver…",

@@ -8,6 +8,7 @@ from typing import Literal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from theditor.drawing import shown
+from theditor.exchange import FORMATS
 from theditor.model.kept_work import DAYS
 
 FILE_FILTER = "theditor drawings (*.json);;All files (*)"
@@ -27,6 +28,27 @@ def where_to_save(parent: QWidget, suggestion: Path) -> Path | None:
     dialog.setDefaultSuffix("json")
     dialog.selectFile(suggestion.name)
     return Path(dialog.selectedFiles()[0]) if dialog.exec() else None
+
+
+def where_to_export(parent: QWidget, suggestion: Path, suffix: str) -> Path | None:
+    """Ask for a file of a foreign format to write to, completed by its suffix; what is replaced is asked about."""
+    form = f"{FORMATS[suffix].name} (*{suffix})"
+    name, _ = QFileDialog.getSaveFileName(parent, "Export the drawing", str(suggestion), form)
+    if not name:
+        return None
+    path = Path(name)
+    if path.suffix.lower() == suffix:
+        return path
+    path = path.with_name(path.name + suffix)
+    return path if not path.exists() or _whether_to_overwrite(parent, path) else None
+
+
+def _whether_to_overwrite(parent: QWidget, path: Path) -> bool:
+    """Ask about a file whose name the dialog for files did not know yet."""
+    buttons = QMessageBox.StandardButton
+    words = f"“{shown(path.name)}” exists already. Replace it?"
+    answer = QMessageBox.question(parent, "Export", words, buttons.Yes | buttons.Cancel, buttons.Cancel)
+    return bool(answer == buttons.Yes)
 
 
 def whether_to_save(parent: QWidget, title: str) -> QMessageBox.StandardButton:

@@ -31,6 +31,13 @@ def change_lambdas(window: MainWindow, how: Literal["gradient", "smooth", "formu
         window.announce(str(error))
 
 
+def export(window: MainWindow) -> None:
+    """Ask how and where to export the drawing."""
+    from theditor.app.exporting import ask_to_export
+
+    ask_to_export(window)
+
+
 def recover(window: MainWindow, *, discarded: bool = True) -> None:
     """Offer unsaved work that can be brought back, what was discarded as well or not."""
     from theditor.app.recover_dialog import offer_work

@@ -8,7 +8,7 @@ from PySide6.QtCore import QPoint, Qt, SignalInstance
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from theditor.drawing import Drawing
-from theditor.model import Document
+from theditor.model import Document, words
 from theditor.panels.parts import GAP, MARGIN, Paragraph, heading
 
 _WIDTH = 400
@@ -94,7 +94,7 @@ class PreviewDialog(QDialog):
             problem = str(error)
         else:
             self._gesture.preview(drawing)
-        self.sentence.setText(_sentence(problem) if problem else "")
+        self.sentence.setText(words.sentence(problem))
         self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(not problem)
 
     def open(self) -> None:
@@ -115,7 +115,3 @@ class PreviewDialog(QDialog):
         else:
             self._gesture.cancel()
         super().done(result)
-
-
-def _sentence(problem: str) -> str:
-    return problem[0].upper() + problem[1:].removesuffix(".") + "."

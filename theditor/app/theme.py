@@ -186,6 +186,15 @@ QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: $borde
 QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: $accent; }
 QSlider::handle:horizontal { background: $accent; width: 12px; margin: -4px 0; border-radius: 6px; }
 QSlider::handle:horizontal:focus, QSlider::handle:horizontal:hover { background: $accent_text; }
+QCheckBox { color: $text; spacing: 6px; }
+QCheckBox:disabled { color: $faded; }
+QCheckBox::indicator {
+    width: 14px; height: 14px; background: $canvas; border: 1px solid $secondary; border-radius: 4px;
+}
+QCheckBox::indicator:checked { background: $selection; border-color: $accent; image: url($icons/check.svg); }
+QCheckBox::indicator:focus, QCheckBox::indicator:hover { border-color: $accent; }
+QCheckBox::indicator:disabled { background: $panel; border-color: $border; }
+QLabel[role="paper"] { background: #FFFFFF; border: 1px solid $border; color: #1B2430; }
 QProgressBar { background: $border; border: none; border-radius: 2px; max-height: 4px; }
 QProgressBar::chunk { background: $accent; border-radius: 2px; }
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }

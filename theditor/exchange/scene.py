@@ -34,7 +34,8 @@ TEETH: Final = 24
 MOST_TEETH: Final = 48_000
 _DASHES: Final[tuple[tuple[float, ...], ...]] = ((), (2.4, 1.2), (2.8, 0.9, 0.5, 0.9), (0.5, 0.8))
 """In print style, in mm: trigonometric, hyperbolic, interpolating, blend."""
-_PRINTED: Final = frozenset({"polygon", "points", "labels"})
+PRINTED: Final = frozenset({"polygon", "points", "labels"})
+"""Shown in print style whatever else is asked for."""
 _NOTHING: Final = 1e-100  # an extent of which squares and tolerances would be none
 _TYPICAL: Final = 0.03  # length of a typical tooth, as a share of the drawing's size
 _LONGEST: Final = 0.3  # of the longest one
@@ -101,7 +102,7 @@ def scene(drawing: Drawing, options: Options, *, size: float | None, arcs: bool)
         Whether what draws it knows elliptical arcs.
     """
     shown = [(item, projected(item.curve)) for item in visible(drawing)]
-    show = options.show | _PRINTED if options.print_style else options.show
+    show = options.show | PRINTED if options.print_style else options.show
     low, high, whole = box([curve for _, curve in shown])
     around = [low, high]
     combs = []

@@ -16,6 +16,11 @@ _SUBSCRIPTS = str.maketrans("0123456789-", "₀₁₂₃₄₅₆₇₈₉₋")
 _ENUMERATED = 4
 
 
+def sentence(problem: str) -> str:
+    """Return what an error says as a sentence, with a capital and a full stop; nothing stays nothing."""
+    return problem and problem[0].upper() + problem[1:].removesuffix(".") + "."
+
+
 def indexed(symbol: str, index: int) -> str:
     """Return a symbol with its subscript: ``λ₁₂``."""
     return symbol + str(index).translate(_SUBSCRIPTS)
