@@ -13,6 +13,7 @@ from theditor.app import dialogs
 from theditor.app.command import Command, can_edit, can_edit_any, has_curve
 from theditor.app.point_commands import point_commands
 from theditor.app.view_commands import view_commands
+from theditor.model import reshape
 from theditor.spline import KNOWN, Known, Mode
 
 if TYPE_CHECKING:
@@ -387,9 +388,9 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "reverse",
             "Curve",
             "&Reverse direction",
-            "Run through the current curve the other way",
-            window.reverse,
-            enabled=can_edit,
+            "Run through the selected curves the other way",
+            lambda: window.announce(reshape.reverse(document, window.selection)),
+            enabled=can_edit_any,
             places=("segment", "curve"),
             gap=True,
         ),

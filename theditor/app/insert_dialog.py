@@ -42,7 +42,7 @@ class InsertDialog(PreviewDialog):
         step = f"Insert {known.name.lower()}"
         super().__init__(document, step, known.name, _ABOUT, self._outcome_of_fields, parent)
         self._known, self._document, self._selection = known, document, selection
-        self._formerly = selection.curve, selection.points, selection.segments
+        self._select_again = selection.remember()
         self._place = len(document.drawing)
         self._name = _free_name(known.name, document.drawing)
         self.fields: dict[str, tuple[LiveField, ...]] = {}
@@ -74,8 +74,7 @@ class InsertDialog(PreviewDialog):
         """Keep the curve, or select again what was selected before."""
         super().done(result)
         if result != self.DialogCode.Accepted:
-            curve, points, segments = self._formerly
-            self._selection.select(curve=curve, points=points, segments=segments)
+            self._select_again()
 
     def _outcome_of_fields(self, before: Drawing) -> Drawing:
         arguments: dict[str, Any] = {p.keyword: self._value(p) for p in self._known.parameters}

@@ -320,12 +320,6 @@ class MainWindow(QMainWindow):
         self.document.apply("Add curve", drawing.inserted(len(drawing), item))
         self.selection.select(curve=len(drawing))
 
-    def reverse(self) -> None:
-        """Run through the current curve the other way; its shape stays."""
-        item = self.selection.item
-        if item is not None:
-            self.document.apply_curve("Reverse direction", self.selection.curve, item.curve.reversed())
-
     # The window itself
 
     def has_room_for(self, path: Path | None) -> bool:

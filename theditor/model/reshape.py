@@ -36,6 +36,27 @@ def set_ends(document: Document, selection: Selection, ends: Ends) -> str:
     return _reshape(document, selection, lambda curve: with_ends(curve, False, ends), text, told)
 
 
+def reverse(document: Document, selection: Selection) -> str:
+    """Run through the selected curves the other way; what is selected on them stays selected."""
+    document.settle()
+    drawing, chosen = document.drawing, selection.chosen
+    new = {i: drawing[i].curve.reversed() for i in chosen if not drawing[i].locked}
+    if not new:
+        return ""
+    points = {i: len(drawing[i].curve.lambdas) - 1 - of if i in new else of for i, of in chosen.items()}
+    segments = selection.segments
+    if selection.curve in new:
+        curve = drawing[selection.curve].curve
+        last = curve.segment_count - 1 - (curve.closed and curve.degree == 3)
+        segments = frozenset((last - segment) % curve.segment_count for segment in segments)
+    document.apply(
+        "Reverse direction" if len(new) == 1 else f"Reverse {len(new)} curves", drawing.with_curves(new)
+    )
+    selection.select_across(points, selection.curve, segments)
+    named = f"“{drawing[min(new)].name}” runs" if len(new) == 1 else f"{len(new)} curves run"
+    return f"{named} the other way now; the shape is the same"
+
+
 def _reshape(
     document: Document, selection: Selection, edit: Callable[[Curve], Edited], text: str, told: str
 ) -> str:
