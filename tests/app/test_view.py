@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QSettings, Qt
 
+from theditor.app.main_window import MainWindow
 from theditor.app.view import MOST, keep_view
 
 
@@ -83,3 +84,18 @@ def test_only_the_latest_views_are_kept(window, forgetful):
     kept = json.loads(QSettings().value("views"))
     assert len(kept) == MOST
     assert str(Path("/4.json").absolute()) not in kept
+
+
+def test_what_is_shown_is_shown_the_next_time(window, qtbot):
+    for name in ("show_grid", "show_comb", "snap"):
+        window.actions_by_name[name].toggle()
+    window.close()
+    again = MainWindow()
+    qtbot.addWidget(again)
+    checked = {
+        name: again.actions_by_name[name].isChecked() for name in ("show_grid", "show_comb", "show_labels")
+    }
+    assert checked == {"show_grid": False, "show_comb": True, "show_labels": True}
+    assert again.canvas.shown.comb
+    assert not again.canvas.shown.grid
+    assert again.canvas.snapper.on

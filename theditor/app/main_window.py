@@ -27,6 +27,7 @@ from theditor.app.files import Files
 from theditor.app.menus import build_menus, tint_icons
 from theditor.app.outside import Outside
 from theditor.app.problems import MessageBar
+from theditor.app.toggles import keep_toggles, restore_toggles
 from theditor.app.tour import GuideBar
 from theditor.app.windows import open_windows, same_file
 from theditor.app.work import Work
@@ -87,6 +88,7 @@ class MainWindow(QMainWindow):
         self._build_status_line()
         self._follow()
         self._restore_layout()
+        restore_toggles(self)
         self.canvas.setFocus()
 
     # Putting the window together
@@ -376,6 +378,7 @@ class MainWindow(QMainWindow):
         settings = QSettings()
         settings.setValue("geometry", self.saveGeometry())
         settings.setValue("layout", self.saveState())
+        keep_toggles(self)
         event.accept()
 
     def _restore_layout(self) -> None:
