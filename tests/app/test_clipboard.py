@@ -227,4 +227,5 @@ def test_all_selected_curves_are_cut_and_pasted_together(window, qtbot):
     assert window.document.undo_stack.undoText() == "Cut 2 curves"
     window.clipboard.paste_in_place()
     assert window.document.drawing == both
-    assert window.selection.curves == (0, 1)
+    counts = {i: len(item.curve.control_points) for i, item in enumerate(both)}
+    assert {i: len(of) for i, of in window.selection.across.items()} == counts, "to be moved at once"

@@ -145,6 +145,19 @@ def test_a_right_click_selects_what_it_meets_and_offers_what_can_be_done_with_it
 
 
 @popups
+def test_a_right_click_on_one_of_several_selected_curves_keeps_them_selected(window):
+    drawing = window.document.drawing
+    window.document.apply("Add", drawing.inserted(1, drawing[0].with_(name="Second")))
+    window.selection.select_across({0: [], 1: []})
+    hand, viewport = Hand(window.canvas), window.canvas.viewport()
+    place = QPoint(*(int(v) for v in hand.pixel(drawing[0].curve(4.5))))
+    menu, names = right_click(viewport, place)
+    menu.close()
+    assert window.selection.curves == (0, 1)
+    assert {"hyperbolic", "duplicate", "delete"} <= set(names)
+
+
+@popups
 def test_the_menu_key_offers_what_can_be_done_with_the_selection(window):
     keyboard = QContextMenuEvent.Reason.Keyboard
     window.selection.select(segments={4})

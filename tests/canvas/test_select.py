@@ -172,3 +172,9 @@ def test_a_canvas_without_curves_takes_every_key(qtbot):
     for key in (Key.Key_Left, Key.Key_Escape, Key.Key_Backtab, Key.Key_Return):
         qtbot.keyClick(canvas, key)
     assert document.drawing == Drawing()
+
+
+def test_delete_without_a_selected_point_says_how_curves_are_deleted(canvas, qtbot):
+    with qtbot.waitSignal(canvas.announce) as told:
+        qtbot.keyClick(canvas, Key.Key_Delete)
+    assert told.args == ["No control point is selected; whole curves are deleted in the list of curves."]

@@ -227,7 +227,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             "select_all",
             "Edit",
             "Select &all",
-            "Select all control points of the current curve",
+            "Select all control points of the selected curves",
             window.select_all,
             (_Standard.SelectAll,),
             has_curve,
@@ -289,7 +289,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             window.curves.duplicate,
             ("Ctrl+D",),
             has_curve,
-            places=("curve",),
+            places=("segment", "curve"),
             icon="duplicate",
         ),
         Command(
@@ -301,7 +301,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             ("Delete",),
             can_edit_any,
             on_list=True,
-            places=("curve",),
+            places=("segment", "curve"),
             icon="delete",
         ),
         Command(

@@ -104,8 +104,8 @@ class Clipboard:
         drawing = window.document.drawing
         what = "curve" if len(items) == 1 else words.counted(len(items), "curve")
         window.document.apply(f"Paste {what}", Drawing([*drawing, *items]))
-        new = range(len(drawing), len(drawing) + len(items))
-        window.selection.select_across(dict.fromkeys(new, ()), len(drawing), ())
+        new = {i: np.arange(len(item.curve.control_points)) for i, item in enumerate(items, len(drawing))}
+        window.selection.select_across(new, len(drawing), ())
         named = f"“{items[0].name}”" if len(items) == 1 else what
         window.announce(f"Pasted {named}.")
 

@@ -76,6 +76,8 @@ class ContextMenus(QObject):
                 pass
             case _:
                 return "ground"
+        if len(selection.curves) > 1 and curve in selection.chosen:
+            return "point" if selection.count else "segment"
         if curve != selection.curve or segment not in selection.segments:
             selection.select(curve=curve, points=(), segments={segment})
         return "segment"

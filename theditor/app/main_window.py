@@ -291,10 +291,9 @@ class MainWindow(QMainWindow):
             self.segments.set_mode(mode)
 
     def select_all(self) -> None:
-        """Select every control point of the current curve."""
-        item = self.selection.item
-        if item is not None:
-            self.selection.select(points=np.arange(len(item.curve.control_points)), segments=())
+        """Select every control point of the selected curves."""
+        chosen = {**self.selection.chosen, **every_point(self.document.drawing, self.selection.curves)}
+        self.selection.select_across(chosen, segments=())
 
     def select_all_curves(self) -> None:
         """Select every control point of all curves that are visible and not locked."""

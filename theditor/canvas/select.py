@@ -181,12 +181,18 @@ class SelectTool:
         return Marquee(document, selection, pointer)
 
     def key(self, keys: Keys) -> bool:
-        """Tab steps through the control points, arrows nudge them, Escape selects nothing."""
+        """Tab steps through the control points, arrows nudge them, Escape selects nothing.
+
+        Delete comes here only while there is nothing that the command could delete.
+        """
         if keys.key == Qt.Key.Key_Escape:
             self._bench.selection.select(points=(), segments=())
             return True
         if keys.key in (Qt.Key.Key_Tab, Qt.Key.Key_Backtab):
             return self._step(backward=keys.key == Qt.Key.Key_Backtab or keys.shift)
+        if keys.key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
+            self._bench.say("No control point is selected; whole curves are deleted in the list of curves.")
+            return True
         return nudge(self._bench, keys)
 
     def _step(self, *, backward: bool) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+import numpy as np
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, Signal
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
@@ -74,7 +75,7 @@ class CurvesPanel(QWidget):
         self._show_current()
 
     def duplicate(self) -> None:
-        """Put a copy of each selected curve on top of it, and select the copies instead."""
+        """Put a copy of each selected curve on top of it, and select the copies' points, to be moved away."""
         chosen, current = self._selection.curves, self._selection.curve
         if not chosen:
             return
@@ -90,10 +91,11 @@ class CurvesPanel(QWidget):
                 items.append(item.with_(name=name, locked=False))
         what = _counted(len(copies))
         self._document.apply(f"Duplicate {what}", Drawing(items))
-        self._selection.select_across(dict.fromkeys(copies, ()), copies[chosen.index(current)])
+        points = {i: np.arange(len(items[i].curve.control_points)) for i in copies}
+        self._selection.select_across(points, copies[chosen.index(current)])
         if len(copies) == 1:
             copy, original = items[copies[0]].name, items[copies[0] - 1].name
-            self.announce.emit(f"“{copy}” lies on top of “{original}”: drag its points to move it away.")
+            self.announce.emit(f"“{copy}” lies on top of “{original}”: drag a point to move it away.")
         else:
             self.announce.emit(f"{len(copies)} copies lie on top of their curves: move them away.")
 
