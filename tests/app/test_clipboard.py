@@ -118,8 +118,11 @@ def test_a_table_of_numbers_becomes_a_curve_that_ends_at_its_first_and_last_poin
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("", "it holds no text: copy a curve"),
-        ("Dear all,\nhello", "line 1, “Dear all,”, is no row of numbers: copy a curve"),
+        ("", "holds nothing that can be pasted: copy a curve"),
+        (
+            "Dear all,\nhello",
+            "“Dear all,”, is neither a row of numbers nor a header with x and y. Copy a",
+        ),
         ('{"format": "theditor", "version": 99, "curves": []}', "is 99, and 1 is the newest"),
         ('{"format": "theditor", "version": 1, "curves": []}', "has no curves: copy a curve"),
         ("1 2", "needs at least 2 control points, not 1"),

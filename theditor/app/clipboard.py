@@ -13,11 +13,9 @@ from PySide6.QtWidgets import QAbstractSpinBox, QLineEdit
 from theditor.canvas import Pointed
 from theditor.canvas.projection import moved, projected
 from theditor.drawing import Drawing, DrawingError, Item, decode, encode
-from theditor.exchange import Options, write
+from theditor.exchange import Options, read, write
 from theditor.exchange.scene import MM_PER_PIXEL
 from theditor.model import words
-from theditor.model.number_table import points_in
-from theditor.spline import Curve
 from theditor.spline.extent import extent
 
 if TYPE_CHECKING:
@@ -167,7 +165,7 @@ def pasted(data: QMimeData) -> list[Item]:
     """
     text = bytes(data.data(OWN_TYPE).data()) or data.text().strip().encode(errors="replace")
     if not text.startswith(b"{"):
-        return [_from_table(text.decode())]
+        return _from_table(text.decode())
     try:
         items = list(decode(text))
     except DrawingError as error:
@@ -177,15 +175,13 @@ def pasted(data: QMimeData) -> list[Item]:
     return [item.with_(visible=True, locked=False) for item in items]
 
 
-def _from_table(text: str) -> Item:
+def _from_table(text: str) -> list[Item]:
+    if not text:
+        raise ValueError(f"The clipboard holds nothing that can be pasted: {_WHAT}.")
     try:
-        points = points_in(text)
-    except ValueError as error:
-        raise ValueError(f"What was copied cannot be pasted, as {error}: {_WHAT}.") from None
-    try:
-        return Item(Curve(points, ends="clamped"), "Pasted points")
-    except ValueError as error:
-        raise ValueError(f"The table that was copied makes no curve: {error}.") from None
+        return list(read(text.encode(errors="replace"), ".csv", Options(control_points=True)).drawing)
+    except DrawingError as error:
+        raise ValueError(f"What was copied cannot be pasted: {error} C{_WHAT[1:]}.") from None
 
 
 def _moved_to(items: Sequence[Item], middle: tuple[float, float]) -> list[Item]:
