@@ -39,7 +39,7 @@ drawings = st.lists(items, max_size=3).map(Drawing)
 options = st.builds(
     Options,
     tolerance=st.sampled_from([1e-2, 1e-4, 1e-7]),
-    size=st.none() | st.floats(0.001, 5000),
+    size=st.none() | st.floats(1, 5000),
     dpi=st.sampled_from([1, 96, 1200]),
     show=st.sets(st.sampled_from(PARTS)),
     print_style=st.booleans(),

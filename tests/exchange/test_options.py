@@ -11,7 +11,7 @@ from theditor.exchange import FORMATS, Options, read, readable, writable, write
     [
         ({"tolerance": 0.0}, "tolerance"),
         ({"tolerance": float("nan")}, "tolerance"),
-        ({"size": -3.0}, "size"),
+        ({"size": 0.5}, "size"),
         ({"scale": 0.0}, "scale"),
         ({"scale": 2.0, "size": 100.0}, "not both"),
         ({"dpi": float("inf")}, "dpi"),

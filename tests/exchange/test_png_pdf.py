@@ -142,10 +142,24 @@ def test_hidden_curves_are_not_painted():
     assert len(paths(write(Drawing(), ".pdf").data)[0]) == 0
 
 
-@pytest.mark.parametrize(("suffix", "size"), [(".png", 15_001), (".pdf", 5_001)])
-def test_what_the_format_cannot_hold_is_refused(suffix, size):
-    with pytest.raises(DrawingError, match="ask for a smaller size"):
-        write(Drawing([Item(ELLIPSE)]), suffix, Options(size=size))
+@pytest.mark.parametrize(
+    ("suffix", "wish"), [(".png", {"size": 15_001}), (".pdf", {"size": 5_001}), (".png", {"scale": 1e9})]
+)
+def test_what_the_format_cannot_hold_is_refused(suffix, wish):
+    with pytest.raises(DrawingError, match=r"ask for a(nother| smaller) size"):
+        write(Drawing([Item(ELLIPSE)]), suffix, Options(**wish))
+
+
+def test_a_scale_is_kept_on_paper_and_in_pixels():
+    one, two = (
+        paths(write(Drawing([Item(BLEND)]), ".pdf", Options(scale=scale)).data)[0][0] for scale in (5, 10)
+    )
+    for (width, _, points), scale in ((one, 5), (two, 10)):
+        assert width == pytest.approx(2 * 72 / 96, rel=1e-5)
+        long = np.linalg.norm(points[-1] - points[0]) / 72 * 25.4
+        assert long == pytest.approx(scale * np.linalg.norm(BLEND(5.0) - BLEND(0.0)), rel=1e-4)
+    wide = pixels(png(Item(ELLIPSE), scale=10, dpi=254).data).shape[1]
+    assert wide == pytest.approx(6 * 10 * 10, abs=50)
 
 
 @pytest.mark.parametrize("factor", [1e-9, 1e11])

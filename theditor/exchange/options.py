@@ -79,7 +79,7 @@ class Options:
     def __post_init__(self) -> None:
         _check_number("tolerance", self.tolerance, 1e-12, 0.1)
         if self.size is not None:
-            _check_number("size", self.size, 0.001, 1e6)
+            _check_number("size", self.size, 1, 1e6)
         if self.scale is not None:
             _check_number("scale", self.scale, 1e-18, 1e18)
             if self.size is not None:

@@ -33,6 +33,7 @@ Floats = NDArray[np.float64]
 
 _PIXELS: Final = 1600
 _PDF_SIZE: Final = 120.0
+_PDF_SMALLEST: Final = 1.0
 _PDF_LARGEST: Final = 5000.0  # the format ends at 200 inches
 _PDF_DPI: Final = 1200
 _ID: Final = "{d2c1a2c4-6e0c-4d7e-9a55-5d1f5c0b7a11}"
@@ -83,12 +84,15 @@ def write_pdf(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     Raises
     ------
     DrawingError
-        If the page would be longer than the format allows.
+        If the page would be larger or smaller than the format allows.
     """
     _application()
     shown = scene(drawing, options, size=options.size or _PDF_SIZE, arcs=False)
-    if max(shown.size) > _PDF_LARGEST:
-        raise DrawingError(f"A PDF page may be at most {_PDF_LARGEST:g} mm long: ask for a smaller size.")
+    if not _PDF_SMALLEST <= max(shown.size) <= _PDF_LARGEST:
+        raise DrawingError(
+            f"A PDF page must be {_PDF_SMALLEST:g} to {_PDF_LARGEST:g} mm long, not {max(shown.size):.6g} mm: "
+            "ask for another size."
+        )
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     writer = QPdfWriter(buffer)
