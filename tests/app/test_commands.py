@@ -35,6 +35,7 @@ EVERYWHERE = {0: [0, 1], 1: [2], 2: [], 3: []}
 def nobody_asks(monkeypatch, tmp_path):
     """Questions answer themselves; windows that would stay open close at once."""
     monkeypatch.setattr("theditor.app.ask.which_to_open", lambda *_: None)
+    monkeypatch.setattr("theditor.app.ask.which_to_import", lambda *_: [])
     monkeypatch.setattr("theditor.app.ask.where_to_save", lambda *_: tmp_path / "saved.json")
     monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
     monkeypatch.setattr(QMessageBox, "about", lambda *_: None)

@@ -138,6 +138,16 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             (_Standard.SaveAs, "Ctrl+Shift+S"),
         ),
         Command(
+            "import",
+            "File",
+            "&Import…",
+            "Add curves from files of other programs, SVG pictures and tables of points, to the drawing",
+            lambda: dialogs.import_files(window),
+            ("Ctrl+I",),
+            icon="import",
+            gap=True,
+        ),
+        Command(
             "export",
             "File",
             "&Export…",
@@ -146,7 +156,6 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             ("Ctrl+E", "Ctrl+Shift+E"),
             has_curve,
             icon="export",
-            gap=True,
         ),
         Command(
             "recover",

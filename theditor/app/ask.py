@@ -8,7 +8,7 @@ from typing import Literal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from theditor.drawing import shown
-from theditor.exchange import FORMATS
+from theditor.exchange import FORMATS, readable
 from theditor.model.kept_work import DAYS
 
 FILE_FILTER = "theditor drawings (*.json);;All files (*)"
@@ -16,8 +16,22 @@ FILE_FILTER = "theditor drawings (*.json);;All files (*)"
 
 def which_to_open(parent: QWidget, folder: Path | None) -> Path | None:
     """Ask for a file to open; None if the user thinks better of it."""
-    name, _ = QFileDialog.getOpenFileName(parent, "Open a drawing", str(folder or ""), FILE_FILTER)
+    name, _ = QFileDialog.getOpenFileName(
+        parent, "Open a drawing", str(folder or ""), f"{FILE_FILTER.split(';;')[0]};;{_foreign_filter()}"
+    )
     return Path(name) if name else None
+
+
+def which_to_import(parent: QWidget, folder: Path | None) -> list[Path]:
+    """Ask for files of other programs; none if the user thinks better of it."""
+    names, _ = QFileDialog.getOpenFileNames(parent, "Import curves", str(folder or ""), _foreign_filter())
+    return [Path(name) for name in names]
+
+
+def _foreign_filter() -> str:
+    every = " ".join(f"*{suffix}" for suffix in readable())
+    each = ";;".join(f"{FORMATS[suffix].name} (*{suffix})" for suffix in readable())
+    return f"All that can be imported ({every});;{each};;All files (*)"
 
 
 def where_to_save(parent: QWidget, suggestion: Path) -> Path | None:

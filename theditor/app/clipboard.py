@@ -10,6 +10,7 @@ from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication, QImage, QStandardItemModel
 from PySide6.QtWidgets import QAbstractSpinBox, QLineEdit
 
+from theditor.app.adding import add_curves
 from theditor.canvas import Pointed
 from theditor.canvas.projection import moved, projected
 from theditor.drawing import Drawing, DrawingError, Item, decode, encode
@@ -98,13 +99,8 @@ class Clipboard:
         except ValueError as error:
             window.announce(str(error))
             return
-        window.document.settle()
-        drawing = window.document.drawing
-        what = "curve" if len(items) == 1 else words.counted(len(items), "curve")
-        window.document.apply(f"Paste {what}", Drawing([*drawing, *items]))
-        new = {i: np.arange(len(item.curve.control_points)) for i, item in enumerate(items, len(drawing))}
-        window.selection.select_across(new, len(drawing), ())
-        named = f"“{items[0].name}”" if len(items) == 1 else what
+        add_curves(window, "Paste", items)
+        named = f"“{items[0].name}”" if len(items) == 1 else words.counted(len(items), "curve")
         window.announce(f"Pasted {named}.")
 
     def _field(self) -> QLineEdit | PointsView | None:

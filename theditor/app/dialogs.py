@@ -31,6 +31,13 @@ def change_lambdas(window: MainWindow, how: Literal["gradient", "smooth", "formu
         window.announce(str(error))
 
 
+def import_files(window: MainWindow) -> None:
+    """Ask for files of other programs and add their curves to the drawing."""
+    from theditor.app.importing import ask_to_import
+
+    ask_to_import(window)
+
+
 def export(window: MainWindow) -> None:
     """Ask how and where to export the drawing."""
     from theditor.app.exporting import ask_to_export

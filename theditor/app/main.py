@@ -11,7 +11,7 @@ from theditor.app.ending import Ending
 from theditor.app.main_window import MainWindow
 from theditor.app.problems import catch_everything, start_log
 from theditor.app.theme import follow_system
-from theditor.app.windows import active_window, open_windows
+from theditor.app.windows import active_window, open_each, open_windows
 
 FIRST_PICTURE = "figure-10"
 
@@ -35,21 +35,11 @@ def run(paths: list[Path]) -> int:
     follow_system()
     catch_everything(_caught)
     Ending(app)
-    first = last = MainWindow()
+    first = MainWindow()
     first.show()
     if not paths:
         first.open_picture(FIRST_PICTURE)
-    faults = []
-    for path in paths:
-        window = last if last.document.path is None else last.beside()
-        if window.open_path(path):
-            last = window
-            continue
-        faults.append(window.messages.text)
-        if window is not last:
-            window.close()
-    if faults:
-        first.messages.tell("\n".join(faults))
+    open_each(first, paths)
     dialogs.recover(first, discarded=False)
     code = app.exec()
     open_windows.clear()

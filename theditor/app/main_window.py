@@ -23,6 +23,7 @@ from theditor.app.clipboard import Clipboard
 from theditor.app.context_menus import ContextMenus
 from theditor.app.coordinates import Coordinates
 from theditor.app.docks import add_dock, scrolling_column
+from theditor.app.dropping import Dropping
 from theditor.app.files import Files
 from theditor.app.menus import build_menus, tint_icons
 from theditor.app.outside import Outside
@@ -85,6 +86,7 @@ class MainWindow(QMainWindow):
         if isinstance(app := QApplication.instance(), QApplication):
             app.screenAdded.connect(self._tint_icons)
         self.context_menus = ContextMenus(self)
+        Dropping(self)
         self._build_status_line()
         self._follow()
         self._restore_layout()

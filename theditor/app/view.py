@@ -20,6 +20,7 @@ MOST = 100
 SHARE = 0.7
 """Share of the canvas that a selection is to fill."""
 _SAMPLES = 16
+_TINY = 24.0  # pixels
 
 
 def zoom_to_selection(canvas: Canvas, selection: Selection) -> None:
@@ -44,6 +45,22 @@ def zoom_to_selection(canvas: Canvas, selection: Selection) -> None:
     scales = room[size > 0] / size[size > 0]
     x, y = ((low + high) / 2).tolist()
     canvas.show_view(x, y, float(scales.min()) if scales.size else plane.scale)
+
+
+def show_added(canvas: Canvas, selection: Selection) -> None:
+    """Show the selected curves, which are new: the whole drawing if they are not in view, and closer if tiny."""
+
+    def look() -> tuple[bool, float]:
+        plane = canvas.plane
+        points = [projected(selection.drawing[i].curve).control_points for i in selection.curves]
+        low, high = extent(plane.to_pixels(np.concatenate(points)))
+        inside = (low >= 0).all() and (high <= (plane.width, plane.height)).all()
+        return bool(inside), float((high - low).max())
+
+    if not look()[0]:
+        canvas.fit()
+    if look()[1] < _TINY:
+        zoom_to_selection(canvas, selection)
 
 
 def keep_view(path: Path | None, canvas: Canvas) -> None:

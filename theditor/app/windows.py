@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -30,3 +31,19 @@ def window_on(path: Path, besides: MainWindow) -> MainWindow | None:
 def same_file(one: Path | None, other: Path | None) -> bool:
     """Whether two paths lead to one file, links followed; no path leads nowhere."""
     return one is not None and other is not None and os.path.realpath(one) == os.path.realpath(other)
+
+
+def open_each(first: MainWindow, paths: Iterable[Path]) -> None:
+    """Open files, one in a window and the others in windows beside it; that tells of those that cannot be."""
+    last, free = first, True
+    faults = []
+    for path in paths:
+        window = last if free else last.beside()
+        if window.open_path(path):
+            last, free = window, False
+            continue
+        faults.append(window.messages.text)
+        if window is not last:
+            window.close()
+    if faults:
+        first.messages.tell("\n".join(faults))
