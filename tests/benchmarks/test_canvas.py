@@ -208,6 +208,7 @@ def test_undoing(desks, report):
     for text, new in (
         ("one point", curve.with_points([50], [[0.0, 0.0]])),
         ("many points", curve.with_points(some, curve.control_points[some] + 0.1)),
+        ("every λ", curve.with_lambdas(range(len(curve.lambdas)), 0.3)),
     ):
 
         def undo():

@@ -204,7 +204,7 @@ class Canvas(PlaneView):
         self.viewport().update()
 
     def _drawing_changed(self, old: Drawing, new: Drawing) -> None:
-        if self._drag is None:
+        if self._drag is None and self._document.before is None:
             self._hover()
         self.viewport().update()
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from operator import is_
 from typing import NamedTuple
 
 import numpy as np
@@ -43,6 +44,14 @@ class Level(NamedTuple):
     last: Ints  # (n,)
     left: Ints  # (n,) the children in the level below; the same one twice where there is one alone
     right: Ints  # (n,)
+
+    def meet(self, nodes: Ints, low: Floats, high: Floats) -> Flags:
+        """Which of some boxes meet a window."""
+        return _between(self.low[:, nodes], self.high[:, nodes], low, high)
+
+    def within(self, nodes: Ints, low: Floats, high: Floats) -> Flags:
+        """Which of some boxes lie in a window altogether."""
+        return _between(self.high[:, nodes], self.low[:, nodes], low, high)
 
     def below(self, nodes: Ints) -> Ints:
         """The children of some nodes."""
@@ -101,6 +110,10 @@ class ChordTree:
         """Width and height of the box around each curve, (2, curves)."""
         return self._levels[-1].high - self._levels[-1].low
 
+    def stands_over(self, curves: Sequence[Curve]) -> bool:
+        """Whether it is the tree over just these curves."""
+        return len(curves) == len(self._curves) and all(map(is_, curves, self._curves))
+
     def follow(self, curves: Sequence[Curve]) -> bool:
         """Become the tree over other curves by changing what differs; returns False where too much does."""
         if len(curves) != len(self._curves):
@@ -136,15 +149,16 @@ class ChordTree:
             own = rows[self._cubic[rows] == (degree == 3)]
             if len(own):
                 parts = self._parts if len(own) == len(self._owner) else self._parts.take(own)
-                leaves.low[:, own], leaves.high[:, own] = enclosures.boxes(parts, degree)
-                turning = enclosures.turning(parts, degree)
                 samples = sample_parts(parts, degree, np.full(len(own), STEPS))
                 points = samples.points.T.reshape(2, len(own), STEPS + 1)
                 points = np.ascontiguousarray(points.transpose(2, 0, 1))
                 self._ends[:2, own], self._ends[2:, own] = points[0], points[-1]
+                self._turning[own] = turning = enclosures.turning(parts, degree)
+                unseen = turning / (8 * STEPS**2)  # how far it may be from the chords between the points
+                leaves.low[:, own] = points.min(axis=0) - unseen
+                leaves.high[:, own] = points.max(axis=0) + unseen
                 for column, steps in enumerate(CUTS):
-                    self._strays[own, column] = _stray(points, steps) + turning / (8 * STEPS**2)
-                self._turning[own] = turning
+                    self._strays[own, column] = _stray(points, steps) + unseen
         leaves.strays[rows] = self._strays[rows, 0]
 
     def _grow(self, counts: Ints) -> None:
@@ -222,7 +236,7 @@ class ChordTree:
         nodes = np.arange(len(self._levels[-1].first))
         for height in range(len(self._levels) - 1, -1, -1):
             level = self._levels[height]
-            nodes = nodes[_meet(level, nodes, low, high)]
+            nodes = nodes[level.meet(nodes, low, high)]
             if barred and not height:
                 nodes = nodes[~barred[0][nodes]]
             if not (whole and height):
@@ -248,8 +262,8 @@ class ChordTree:
         nodes = np.array([place])
         for height in range(len(self._levels) - 1, -1, -1):
             level = self._levels[height]
-            nodes = nodes[_meet(level, nodes, low, high)]
-            found = _within(level, nodes, low, high) if height else np.ones(len(nodes), dtype=np.bool_)
+            nodes = nodes[level.meet(nodes, low, high)]
+            found = level.within(nodes, low, high) if height else np.ones(len(nodes), dtype=np.bool_)
             steps[level.first[nodes[found]] - begin] += 1
             steps[level.last[nodes[found]] - begin + 1] -= 1
             nodes = level.below(nodes[~found])
@@ -306,22 +320,13 @@ class ChordTree:
 NOTHING = joints.Segments(*(np.empty((2, 0)),) * 4, *(np.empty(0),) * 2)
 
 
-def _meet(level: Level, nodes: Ints, low: Floats, high: Floats) -> Flags:
-    """Which boxes meet a window."""
-    meet: Flags = level.low[0][nodes] <= high[0]
-    meet &= level.high[0][nodes] >= low[0]
-    meet &= level.low[1][nodes] <= high[1]
-    meet &= level.high[1][nodes] >= low[1]
-    return meet
-
-
-def _within(level: Level, nodes: Ints, low: Floats, high: Floats) -> Flags:
-    """Which boxes lie in a window altogether."""
-    within: Flags = level.high[0][nodes] <= high[0]
-    within &= level.low[0][nodes] >= low[0]
-    within &= level.high[1][nodes] <= high[1]
-    within &= level.low[1][nodes] >= low[1]
-    return within
+def _between(one: Floats, other: Floats, low: Floats, high: Floats) -> Flags:
+    """Where the first corner of a box, (2, n), is not above a window and the second not below it."""
+    between: Flags = one[0] <= high[0]
+    between &= other[0] >= low[0]
+    between &= one[1] <= high[1]
+    between &= other[1] >= low[1]
+    return between
 
 
 def _stray(points: Floats, steps: int) -> Floats:

@@ -39,21 +39,30 @@ class CurvesPainter:
         self._places: dict[int, int] = {}
         self._sources: list[Curve] = []
         self._curves: list[Curve] = []
-        self._tree = ChordTree([])
+        self._tree = self._former = ChordTree([])
+        self._passing = False
         self.handles = Held(Drawing(), {})
         """All control points of the visible curves."""
 
-    def update(self, drawing: Drawing) -> None:
-        """Follow the drawing; costs what has changed since the last time."""
+    def update(self, drawing: Drawing, *, passing: bool = False) -> None:
+        """Follow the drawing; costs what has changed since the last time.
+
+        The tree over the last drawing that was not just `passing` is kept for going back to it.
+        """
         visible = [i for i, item in enumerate(drawing) if item.visible]
         sources = [drawing[i].curve for i in visible]
         same = len(sources) == len(self._sources)
         if same and visible == list(self._places) and all(map(is_, sources, self._sources)):
+            self._passing = passing
             return
         kept = {id(source): plane for source, plane in zip(self._sources, self._curves, strict=True)}
         curves = [kept.get(id(source)) or projected(source) for source in sources]
         if not self._tree.follow(curves):
-            self._tree = ChordTree(curves)
+            former = self._former
+            if not self._passing:
+                self._former = self._tree
+            self._tree = former if former.stands_over(curves) else ChordTree(curves)
+        self._passing = passing
         self._places = {i: place for place, i in enumerate(visible)}
         self._sources, self._curves = sources, curves
         self.handles = Held(drawing, {i: np.arange(len(drawing[i].curve.control_points)) for i in visible})

@@ -86,7 +86,7 @@ class Layers:
             frame.font,
             painter.device().devicePixelRatioF(),
         )
-        self._curves.update(settled)
+        self._curves.update(settled, passing=frame.before is not None and frame.before is not settled)
         now = {i: projected(frame.drawing[i].curve) for i in alive if frame.drawing[i].visible}
 
         def seen(index: int) -> Curve:
