@@ -62,6 +62,9 @@ def test_select_all_takes_the_selected_curves_and_with_alt_all_of_them(three, qt
     three.selection.select_across({0: [], 2: []})
     qtbot.keyClick(three.canvas, Key.Key_A, Qt.KeyboardModifier.ControlModifier)
     assert across(three) == {0: [*range(5)], 2: [*range(5)]}
+    three.curves.list.setFocus()
+    qtbot.keyClick(three.curves.list, Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert three.selection.curves == (0, 1, 2)
     qtbot.keyClick(three.canvas, Key.Key_A, alt)
     assert across(three) == {k: [*range(5)] for k in range(3)}
     qtbot.keyClick(three.canvas, Key.Key_Delete)

@@ -293,7 +293,10 @@ class MainWindow(QMainWindow):
             self.segments.set_mode(mode)
 
     def select_all(self) -> None:
-        """Select every control point of the selected curves."""
+        """Select every control point of the selected curves or, in the list of curves, every curve."""
+        if self.curves.list.hasFocus():
+            self.curves.list.selectAll()
+            return
         chosen = {**self.selection.chosen, **every_point(self.document.drawing, self.selection.curves)}
         self.selection.select_across(chosen, segments=())
 

@@ -41,6 +41,11 @@ def has_part(window: MainWindow) -> bool:
     return has_points(window) or (can_edit(window) and bool(window.selection.segments))
 
 
+def has_place(window: MainWindow) -> bool:
+    """Needs a selected control point or segment on the current curve, which is not locked."""
+    return can_edit(window) and bool(window.selection.points or window.selection.segments)
+
+
 def can_join(window: MainWindow) -> bool:
     """Needs an open curve that may be changed, and another one."""
     item = window.selection.item
@@ -203,7 +208,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             "Cut the curve at the joint of the selected control point, or between two selected segments",
             said(lambda: pieces.split(*model)),
             ("Shift+B",),
-            has_part,
+            has_place,
             on_canvas=True,
             places=("point", "segment"),
             icon="split",

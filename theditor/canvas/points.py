@@ -25,7 +25,8 @@ def insert_at(document: Document, selection: Selection, u: float) -> str:
 
 def insert(document: Document, selection: Selection) -> str:
     """Insert control points into the selected segments, else between or after the selected points of each curve."""
-    if selection.segments:
+    item = selection.item
+    if selection.segments and item is not None and not item.locked:
         return _insert(document, selection, {selection.curve: [s + 0.5 for s in selection.segments]})
     places: dict[int, list[float]] = {}
     for i, of in selection.movable.items():
