@@ -170,6 +170,15 @@ def test_panning_paints_what_comes_into_view(canvas, monkeypatch):
     assert areas == [(0, 0, 7, height), (7, height - 3, width - 7, 3)]
 
 
+def test_what_is_hidden_under_the_pointer_is_gone(canvas, hand):
+    drawing = canvas.document.drawing
+    hand.move(drawing[1].curve(0.5))
+    shown = anew(canvas)
+    canvas.document.apply("Hide", drawing.with_item(1, drawing[1].with_(visible=False)))
+    assert differing(shot(canvas._layers, canvas), shown).any()
+    assert not differing(shot(canvas._layers, canvas), anew(canvas)).any()
+
+
 def writing(count):
     """A long curve of small loops."""
     turns = np.arange(count) * 0.83

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.grid import number, steps
-from theditor.canvas.handles import CELL, thinned
+from theditor.canvas.handles import CELL, detail, thinned
 from theditor.canvas.hit_test import near_handles, near_places
 from theditor.canvas.labels import place
 from theditor.canvas.lines import clipped
@@ -143,6 +143,26 @@ def test_grid_lines_are_neither_crowded_nor_rare(scale):
 def test_grid_numbers_tell_neighbours_apart(value, step, text):
     assert number(value, step) == text
     assert number(value, step) != number(value + step, step)
+
+
+def spaced(gap, count=60):
+    """A wavy row of control points, so many pixels from each other."""
+    x = np.arange(count) * gap / PLANE.scale
+    return Curve(np.stack([x + PLANE.x - x.mean(), PLANE.y + 0.02 * np.sin(x)], axis=1))
+
+
+@pytest.mark.parametrize(
+    ("gap", "handles", "joints"), [(3, False, False), (11, True, False), (13, True, True)]
+)
+def test_handles_show_where_they_can_be_told_apart(gap, handles, joints):
+    curve = spaced(gap)
+    found = detail(curve, PLANE, np.arange(curve.segment_count))
+    assert (found.handles, found.joints) == (handles, joints)
+    assert found.points == 60
+
+
+def test_a_few_handles_always_show():
+    assert detail(spaced(0.5, 12), PLANE, np.arange(9)).handles
 
 
 def test_modes_are_told_apart_in_strokes():

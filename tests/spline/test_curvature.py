@@ -12,6 +12,7 @@ from theditor.spline import (
     known,
     osculating_circle,
 )
+from theditor.spline.curvature import curvature_along
 
 CUSPED = Curve([(0, 0), (1, 2), (3, -1), (4, 1), (6, 0)], JOINT_SLOPE_ZERO, 2)
 
@@ -28,6 +29,22 @@ def test_a_circle_has_the_curvature_of_its_radius_and_is_its_own_osculating_circ
     np.testing.assert_allclose(centre, np.tile((5.0, 7.0), (23, 1)), atol=1e-9 * (r + 7))
     np.testing.assert_allclose(radius, r, rtol=1e-9)
     assert bending_energy(curve) == pytest.approx(2 * np.pi / r, rel=1e-8)
+
+
+@pytest.mark.parametrize("degree", [2, 3])
+@pytest.mark.parametrize("closed", [False, True])
+def test_what_goes_on_along_a_segment_is_what_goes_on_at_its_points(degree, closed):
+    rng = np.random.default_rng(0)
+    curve = Curve(rng.normal(size=(40, 2)), rng.uniform(-5, 9, 40), degree, closed, ends="clamped")
+    t, segments = np.array([0.0, 0.3, 0.8]), np.arange(curve.segment_count)
+    points, directions, bends = curvature_along(curve, segments, np.append(t, 1.0))
+    u = segments[:, None] + t
+    np.testing.assert_array_equal(np.moveaxis(points[..., :-1], 0, -1), curve(u))
+    np.testing.assert_allclose(bends[:, :-1], curvature(curve, u), rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(
+        bends[:, -1], curvature(curve, segments + 1.0, side="left"), rtol=1e-9, atol=1e-12
+    )
+    np.testing.assert_allclose(np.hypot(*directions), 1.0)
 
 
 @given(curves(low=-2, high=9), st.floats(0.05, 0.95), st.data())

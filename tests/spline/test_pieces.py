@@ -5,7 +5,9 @@ from hypothesis import strategies as st
 from spline_strategies import curves, scale
 
 from theditor.spline import Curve, closed, join, opened, split, with_free_ends
+from theditor.spline.pieces import stretch
 
+any_curves = curves(low=-3, high=10)
 open_curves = curves(closed=(False,), low=-3, high=10)
 few = settings(max_examples=25, deadline=None)
 
@@ -28,6 +30,17 @@ def test_free_ends_are_the_same_curve(curve):
     np.testing.assert_allclose(free.sample(7), curve.sample(7), rtol=0, atol=1e-14 * scale(curve))
     if curve.segment_count > 1:
         assert free.modes == curve.modes
+
+
+@few
+@given(any_curves, st.data())
+def test_a_stretch_is_those_segments_alone(curve, data):
+    first = data.draw(st.integers(0, curve.segment_count - 1))
+    last = data.draw(st.integers(first, curve.segment_count - 1))
+    alone = stretch(curve, first, last)
+    assert alone.segment_count == last - first + 1
+    u = np.linspace(first, last + 1, 30)
+    np.testing.assert_allclose(alone(u - first), curve(u), rtol=0, atol=1e-13 * scale(curve))
 
 
 @few

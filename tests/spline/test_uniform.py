@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from spline_strategies import curves, defining_points
 
-from theditor.spline import Curve, uniform_b_spline_samples
+from theditor.spline import Curve, uniform_b_spline_samples, uniform_segments
 
 # The textbook's matrices: powers of t times these times the segment's points.
 MATRICES = {
@@ -22,6 +22,9 @@ def test_samples_are_those_of_the_uniform_b_spline(curve, per_segment):
     assert len(samples) == curve.segment_count * per_segment + 1
     np.testing.assert_allclose(samples[:-1], np.concatenate(expected[:, :-1]), rtol=0, atol=4e-15 * size)
     np.testing.assert_allclose(samples[-1], expected[-1, -1], rtol=0, atol=4e-15 * size)
+    last = np.array([curve.segment_count - 1])
+    alone = uniform_segments(curve, last, per_segment)[0]
+    np.testing.assert_allclose(alone, expected[-1], rtol=0, atol=4e-15 * size)
     if curve.closed:
         np.testing.assert_array_equal(samples[0], samples[-1])
     np.testing.assert_array_equal(samples, uniform_b_spline_samples(curve.with_(lambdas=7.0), per_segment))

@@ -168,7 +168,9 @@ class Canvas(PlaneView):
         """What is hovered, unless the drawing has changed under the pointer so that it is gone."""
         hit, drawing = self._hit, self._document.drawing
         index = hit.curve if isinstance(hit, SegmentHit | PointHit) else self._selection.curve
-        return hit if 0 <= index < len(drawing) and exists(hit, drawing[index].curve) else None
+        if not 0 <= index < len(drawing) or not drawing[index].visible:
+            return None
+        return hit if exists(hit, drawing[index].curve) else None
 
     def show_place(self, u: float | None) -> None:
         """Point out the place at parameter `u` of the current curve; None for none."""
