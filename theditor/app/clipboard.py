@@ -67,13 +67,13 @@ class Clipboard:
             field.cut()
             return
         drawing, chosen = window.document.drawing, window.selection.curves
-        gone = [i for i in chosen if not drawing[i].locked]
+        gone = dict.fromkeys(i for i in chosen if not drawing[i].locked)
         if not gone:
             if window.selection.item is not None:
                 window.announce(words.locked_reason(window.selection.item.name))
             return
-        named = self._copy(gone)
-        left = Drawing(item for i, item in enumerate(window.document.drawing) if i not in set(gone))
+        named = self._copy([*gone])
+        left = Drawing(item for i, item in enumerate(window.document.drawing) if i not in gone)
         window.document.apply("Cut curve" if len(gone) == 1 else f"Cut {len(gone)} curves", left)
         kept = len(chosen) - len(gone)
         window.announce(f"Cut {named}." + (f" {words.counted(kept, 'locked curve')} stayed." if kept else ""))

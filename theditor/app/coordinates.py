@@ -29,7 +29,7 @@ NEAR, FAR = 20.0, MARGIN + OUTSIDE + 10.0
 EDGE = 8.0
 """Pixels that stay free at the edge of the canvas."""
 MOST = 2000
-"""Of more control points than this only the selected ones are kept free."""
+"""Of more selected points than this some are kept free, of more points of the curve only the selected ones."""
 
 
 class Coordinates(QFrame):
@@ -52,7 +52,7 @@ class Coordinates(QFrame):
         self.hide()
         window.document.changed.connect(self.follow)
         window.selection.changed.connect(self.follow)
-        window.canvas.box.sigTransformChanged.connect(self._place)
+        window.canvas.box.sigTransformChanged.connect(self._follow_view)
         window.canvas.pointed.connect(self._follow_hand)
 
     def _field(self, axis: int, name: str, layout: QHBoxLayout) -> NumberField:
@@ -119,6 +119,10 @@ class Coordinates(QFrame):
         middle: list[float] = np.where(low == high, low, (low + high) / 2).tolist()
         return middle
 
+    def _follow_view(self) -> None:
+        if self.isVisible():
+            self._place()
+
     def _follow_hand(self) -> None:
         if self.isVisible() is self._window.canvas.dragging:
             self.follow()
@@ -142,7 +146,7 @@ class Coordinates(QFrame):
     def _has_focus(self) -> bool:
         return any(field.hasFocus() for field in self.fields)
 
-    def _place(self, *_: object) -> None:
+    def _place(self) -> None:
         """Lie beside the selection, where it covers as few control points as possible."""
         plane = self._window.canvas.plane
         pixels = plane.to_pixels(self._held.places)
@@ -151,11 +155,12 @@ class Coordinates(QFrame):
         self.resize(self.sizeHint())
         size = np.array([self.width(), self.height()], dtype=float)
         low, high = extent(pixels)
+        pixels = pixels[:: len(pixels) // MOST + 1]
         item = self._window.selection.item
         others = item.curve.control_points[:, :2] if item is not None else np.empty((0, 2))
         if len(others) > MOST:
             others = others[:0]
-        spots = _spots(low, high, NEAR if len(pixels) == 1 else FAR, size)
+        spots = _spots(low, high, NEAR if (low == high).all() else FAR, size)
         room = np.array([plane.width, plane.height]) - size - EDGE
         inside = [spot for spot in spots if (spot >= EDGE).all() and (spot <= room).all()]
         corners = [np.array(corner) for corner in ((room[0], room[1]), (EDGE, room[1]), (room[0], EDGE))]

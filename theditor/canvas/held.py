@@ -56,9 +56,13 @@ class Held:
         """The control points with some numbers, ascending, by their curve."""
         curves = list(self._points)
         owners = np.searchsorted(self._starts, numbers, side="right") - 1
-        parts = np.split(numbers, np.flatnonzero(np.diff(owners)) + 1) if len(numbers) else []
-        heads = [int(self._starts[1:].searchsorted(part[0], side="right")) for part in parts]
-        return {curves[k]: part - self._starts[k] for k, part in zip(heads, parts, strict=True)}
+        if not len(numbers):
+            return {}
+        cuts = np.flatnonzero(np.diff(owners)) + 1
+        heads = owners[np.append(0, cuts)].tolist()
+        return {
+            curves[k]: part - self._starts[k] for k, part in zip(heads, np.split(numbers, cuts), strict=True)
+        }
 
 
 def every_point(drawing: Drawing, curves: Iterable[int] | None = None) -> dict[int, Ints]:
