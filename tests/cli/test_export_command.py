@@ -1,5 +1,6 @@
 import sys
 
+import numpy as np
 import pytest
 
 from theditor.cli import main
@@ -149,6 +150,21 @@ def reader(monkeypatch):
         return seen
 
     return prepare
+
+
+def test_exported_points_come_back_as_a_curve_through_them(tmp_path):
+    table, out = tmp_path / "points.csv", tmp_path / "out.json"
+    assert main(["export", str(FIGURE_10), "-o", str(table), "--samples", "2"]) == 0
+    assert main(["import", str(table), "-o", str(out)]) == 0
+    before, after = load(FIGURE_10)[0].curve, load(out)[0].curve
+    np.testing.assert_allclose(after.joints, before.sample(2), atol=1e-12)
+
+
+def test_an_exported_picture_holds_the_drawing(tmp_path):
+    picture, out = tmp_path / "figure.svg", tmp_path / "out.json"
+    assert main(["export", str(FIGURE_10), "-o", str(picture)]) == 0
+    assert main(["import", str(picture), "-o", str(out)]) == 0
+    assert out.read_bytes() == FIGURE_10.read_bytes()
 
 
 LINE = Drawing([Item(Curve([[0, 0], [1, 1]], ends="clamped"), "line")])
