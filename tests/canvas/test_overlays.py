@@ -6,6 +6,8 @@ from PySide6.QtCore import QEvent, QPoint
 from PySide6.QtGui import QColor, QHelpEvent
 from PySide6.QtWidgets import QApplication, QToolTip
 
+from theditor.canvas.comb import marks_near, marks_of
+from theditor.canvas.part import Part
 from theditor.drawing import Drawing, Item
 from theditor.model import LIGHT
 from theditor.spline import INTERPOLATING, Curve
@@ -120,3 +122,16 @@ def test_everything_can_be_shown_of_anything(canvas, hand, lam):
         canvas.selection.select(segments=range(3))
         hand.move(canvas.document.drawing[0].curve(0.4)[:2])
         assert not canvas.grab().isNull()
+
+
+@pytest.mark.parametrize("degree", [2, 3])
+@pytest.mark.parametrize(("ends", "closed"), [("free", False), ("clamped", False), ("free", True)])
+def test_marks_of_a_part_are_those_of_the_whole_there(degree, ends, closed):
+    rng = np.random.default_rng(degree)
+    curve = Curve(rng.normal(size=(30, 2)).cumsum(axis=0), rng.uniform(-2, 4, 30), degree, closed, ends)
+    whole = marks_of(curve)
+    assert len(whole.inflections) + len(whole.extremes) > 20
+    for first, last in ((0, 3), (5, 6), (9, 9), (20, curve.segment_count - 1)):
+        part = Part(curve, np.arange(first, last + 1), np.empty(0, dtype=int))
+        for near, there in zip(marks_near(curve, part), whole.within(part), strict=True):
+            np.testing.assert_allclose(near, there, rtol=0, atol=1e-7)

@@ -106,6 +106,9 @@ class Marks(NamedTuple):
         return Marks(self.inflections[turns], self.extremes[peaks], self.maximum[peaks])
 
 
+NO_MARKS = Marks(np.empty(0), np.empty(0), np.empty(0, dtype=np.bool_))
+
+
 def _inside_part(u: Floats, part: Part) -> Flags:
     if not len(u):
         return np.empty(0, dtype=np.bool_)
@@ -116,19 +119,20 @@ def _inside_part(u: Floats, part: Part) -> Flags:
 def marks_of(curve: Curve) -> Marks:
     """All inflections and extremes; none on a longer curve than `MOST_MARKED`."""
     if curve.segment_count > MOST_MARKED:
-        return Marks(np.empty(0), np.empty(0), np.empty(0, dtype=np.bool_))
+        return NO_MARKS
     extremes = curvature_extremes(curve)
     return Marks(inflections(curve).u, extremes.u, extremes.maximum)
 
 
 def marks_near(curve: Curve, part: Part) -> Marks:
     """Those in and around a part of the curve, found by looking at it alone if it is one run of segments."""
-    if not len(part.segments):
-        return Marks(np.empty(0), np.empty(0), np.empty(0, dtype=np.bool_))
-    first, last = int(part.segments[0]) - 1, int(part.segments[-1]) + 1
-    if first < 0 or last >= curve.segment_count or last - first > len(part.segments) + 1:
+    if not len(part.segments) or curve.segment_count > MOST_MARKED:
+        return NO_MARKS
+    first, last = part.segments[[0, -1]].tolist()
+    if curve.closed or last - first >= len(part.segments):
         return marks_of(curve).within(part)
-    near = marks_of(stretch(curve, first, last)) if curve.segment_count <= MOST_MARKED else marks_of(curve)
+    first, last = max(first - 1, 0), min(last + 1, curve.segment_count - 1)
+    near = marks_of(stretch(curve, first, last))
     return near._replace(inflections=near.inflections + first, extremes=near.extremes + first).within(part)
 
 
