@@ -170,6 +170,60 @@ def test_the_point_table_keeps_its_keys_and_its_menu(window, qtbot):
     assert len(window.document.drawing) == 1
 
 
+SVG = '<svg xmlns="http://www.w3.org/2000/svg"><circle cx="2" r="1"/><path id="arch" d="M0 0C1 2 3 2 4 0"/></svg>'
+
+
+def as_picture(data):
+    carrying = QMimeData()
+    carrying.setData(SVG_TYPE, data.encode())
+    return carrying
+
+
+def paste(window, qtbot, name="paste_in_place"):
+    window.actions_by_name[name].trigger()
+    qtbot.waitUntil(lambda: not window.work.jobs)
+
+
+@pytest.mark.parametrize("picture", [True, False])
+def test_a_picture_of_another_program_comes_in_as_curves_and_goes_with_one_step_back(window, qtbot, picture):
+    before = window.document.drawing
+    if picture:
+        clipboard().setMimeData(as_picture(SVG))
+    else:
+        clipboard().setText(f"<?xml version='1.0'?>\n{SVG}")
+    paste(window, qtbot)
+    circle, arch = window.document.drawing[1:]
+    assert (circle.name, arch.name) == ("Circle 1", "arch")
+    np.testing.assert_allclose(np.hypot(*(circle.curve.sample(8) - (2, 0)).T), 1)
+    assert window.document.undo_stack.undoText() == "Paste 2 curves"
+    assert "Pasted 2 curves. The largest deviation is" in window.announced
+    window.document.undo()
+    assert window.document.drawing == before
+
+
+def test_path_data_comes_to_the_pointer(window, qtbot, hand):
+    clipboard().setText(" M0 0H10V5z ")
+    hand.move((1.5, -2.0))
+    paste(window, qtbot, "paste")
+    low, high = box(window.document.drawing[1].curve)
+    assert (low + high) / 2 == pytest.approx([1.5, -2.0], abs=0.02)
+    assert high - low == pytest.approx([10, 5])
+    assert window.announced == "Pasted “Path”. Exact."
+
+
+def test_a_picture_that_cannot_be_read_is_told_and_changes_nothing(window, qtbot):
+    drawing = window.document.drawing
+    for text, words in (
+        ("<svg", "What was copied cannot be pasted: The text is not XML"),
+        ('<svg xmlns="http://www.w3.org/2000/svg"><text>a</text></svg>', "no path or shape"),
+        ("M0 0L1 1 x", "cannot be read from character 10 on"),
+    ):
+        clipboard().setText(text)
+        paste(window, qtbot)
+        assert words in window.messages.text
+    assert window.document.drawing is drawing
+
+
 def test_the_pictures_show_the_curve_upright_and_as_large_as_on_screen(window):
     window.actions_by_name["copy"].trigger()
     data = clipboard().mimeData()

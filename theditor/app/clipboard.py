@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,10 +11,11 @@ from PySide6.QtGui import QGuiApplication, QImage, QStandardItemModel
 from PySide6.QtWidgets import QAbstractSpinBox, QLineEdit
 
 from theditor.app.adding import add_curves
+from theditor.app.kept_options import kept_options
 from theditor.canvas import Pointed
 from theditor.canvas.projection import moved, projected
 from theditor.drawing import Drawing, DrawingError, Item, decode, encode
-from theditor.exchange import Options, read, write
+from theditor.exchange import Imported, Options, Progress, read, told, write
 from theditor.exchange.scene import MM_PER_PIXEL
 from theditor.model import words
 from theditor.spline.extent import extent
@@ -29,7 +30,11 @@ LARGEST = 4000.0
 """Size in pixels of the largest picture."""
 MOST_PAINTED = 2000
 """Curves of more segments than this are not painted as pixels too, which would take long."""
-_WHAT = "copy a curve, a drawing's text (JSON), or a table of numbers with columns x, y and perhaps z"
+_PICTURES = (SVG_TYPE, "image/x-inkscape-svg")
+_WHAT = (
+    "copy a curve, a drawing's text (JSON), an SVG picture or its path data, "
+    "or a table of numbers with columns x, y and perhaps z"
+)
 
 
 class Clipboard:
@@ -92,16 +97,34 @@ class Clipboard:
         if field is not None:
             field.paste()
             return
+        data = QGuiApplication.clipboard().mimeData() or QMimeData()  # None when empty
+        reader = picture_reader(data)
+        if reader is not None:
+
+            def take(imported: Imported) -> None:
+                self._add(_free(imported.drawing), middle, told(imported.deviation, imported.notes))
+
+            window.work.start("Pasting a picture", reader, take, bound=True)
+            return
         try:
-            items = pasted(QGuiApplication.clipboard().mimeData() or QMimeData())  # None when empty
-            if middle is not None:
-                items = _moved_to(items, middle)
+            items = pasted(data)
         except ValueError as error:
             window.announce(str(error))
             return
+        self._add(items, middle)
+
+    def _add(self, items: list[Item], middle: tuple[float, float] | None, remark: str = "") -> None:
+        """Add curves where they are to be, and tell."""
+        window = self._window
+        if middle is not None:
+            try:
+                items = _moved_to(items, middle)
+            except ValueError as error:
+                window.announce(str(error))
+                return
         add_curves(window, "Paste", items)
         named = f"“{items[0].name}”" if len(items) == 1 else words.counted(len(items), "curve")
-        window.announce(f"Pasted {named}.")
+        window.announce(f"Pasted {named}. {remark}".rstrip())
 
     def _field(self) -> QLineEdit | PointsView | None:
         """Return what has the focus, if it deals in text."""
@@ -151,8 +174,50 @@ def _lasting() -> QMimeData:
     return data
 
 
+def picture_reader(data: QMimeData) -> Callable[[Progress], Imported] | None:
+    """Return what reads the SVG picture, or the path data, that the clipboard carries; None if it carries none.
+
+    Curves of this program and text of drawings come first: they lose nothing.
+    """
+    # Loaded when first asked for: the libraries behind them take their time.
+    from theditor.exchange.path_data import is_path_data
+    from theditor.exchange.svg_in import read_path_data
+
+    text = data.text().strip()
+    if data.hasFormat(OWN_TYPE) or text.startswith("{"):
+        return None
+    kind = next((name for name in _PICTURES if data.hasFormat(name)), None)
+    options, picture = (
+        kept_options("import"),
+        bytes(data.data(kind).data()) if kind else text.encode(errors="replace"),
+    )
+    if kind or (text.startswith("<") and "<svg" in text):
+        return _told_of(lambda progress: read(picture, ".svg", options, progress))
+    if is_path_data(text):
+        return _told_of(lambda progress: read_path_data(text, options, progress))
+    return None
+
+
+def _told_of(reader: Callable[[Progress], Imported]) -> Callable[[Progress], Imported]:
+    """Return a reader whose errors say what they are about."""
+
+    def reading(progress: Progress) -> Imported:
+        try:
+            return reader(progress)
+        except DrawingError as error:
+            raise DrawingError(f"What was copied cannot be pasted: {error}") from None
+
+    return reading
+
+
+def _free(items: Iterable[Item]) -> list[Item]:
+    return [item.with_(visible=True, locked=False) for item in items]
+
+
 def pasted(data: QMimeData) -> list[Item]:
-    """Return the curves that the clipboard carries, visible and unlocked; a table of numbers makes one.
+    """Return the curves that the clipboard carries other than as a picture, visible and unlocked.
+
+    A table of numbers makes one.
 
     Raises
     ------
@@ -168,7 +233,7 @@ def pasted(data: QMimeData) -> list[Item]:
         raise ValueError(f"What was copied is no drawing: {error}") from None
     if not items:
         raise ValueError(f"The drawing that was copied has no curves: {_WHAT}.")
-    return [item.with_(visible=True, locked=False) for item in items]
+    return _free(items)
 
 
 def _from_table(text: str) -> list[Item]:
