@@ -5,16 +5,16 @@ Menus, toolbar, context menus, the command palette and the sheet of shortcuts ar
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QKeySequence
 
 from theditor.app import dialogs
 from theditor.app.command import Command, can_edit, can_edit_any, has_curve
+from theditor.app.curve_commands import curve_commands
 from theditor.app.point_commands import point_commands
 from theditor.app.view_commands import view_commands
-from theditor.model import reshape
-from theditor.spline import KNOWN, Known, Mode
+from theditor.spline import KNOWN, Known
 
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
@@ -42,21 +42,6 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
     """All commands of a window, in the order of its menus."""
     canvas, document = window.canvas, window.document
 
-    def mode(name: str, mode: Mode, text: str, key: str, *, gap: bool = False) -> Command:
-        return Command(
-            name,
-            "Curve",
-            text,
-            f"Make the selected points or segments {mode.value}; all of them if none is selected",
-            lambda: window.set_mode(mode),
-            (key,),
-            can_edit,
-            on_canvas=True,
-            icon=name,
-            places=("point", "segment"),
-            gap=gap,
-        )
-
     def insert(known: Known) -> Command:
         name = known.name.lower()
         article = "an" if name[0] in "aeiou" else "a"
@@ -66,20 +51,6 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             f"{known.name}…",
             f"Insert {article} {name}, exact, by its parameters",
             lambda: dialogs.insert_known(window, known),
-        )
-
-    def many(
-        name: Literal["gradient", "smooth", "formula"], text: str, tip: str, *, gap: bool = False
-    ) -> Command:
-        return Command(
-            name,
-            "Curve",
-            text,
-            tip,
-            lambda: dialogs.change_lambdas(window, name),
-            enabled=can_edit,
-            places=("point", "segment"),
-            gap=gap,
         )
 
     def tool(name: str, text: str, tip: str, keys: tuple[str, ...], brief: str) -> Command:
@@ -280,129 +251,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             (_Standard.Preferences, "Ctrl+,"),
             gap=True,
         ),
-        Command(
-            "add",
-            "Curve",
-            "&Add curve",
-            "Add a curve in the middle of the view",
-            window.add_curve,
-            ("Ctrl+Shift+N",),
-            places=("ground",),
-            icon="add",
-        ),
-        Command(
-            "duplicate",
-            "Curve",
-            "&Duplicate curves",
-            "Put a copy of each selected curve on top of it",
-            window.curves.duplicate,
-            ("Ctrl+D",),
-            has_curve,
-            places=("segment", "curve"),
-            icon="duplicate",
-        ),
-        Command(
-            "delete",
-            "Curve",
-            "De&lete curves",
-            "Remove the selected curves",
-            window.curves.delete,
-            ("Delete",),
-            can_edit_any,
-            on_list=True,
-            places=("segment", "curve"),
-            icon="delete",
-        ),
-        Command(
-            "rename",
-            "Curve",
-            "Re&name curve",
-            "Give the current curve another name, in the list of curves",
-            window.curves.rename,
-            enabled=can_edit,
-            places=("curve",),
-            gap=True,
-        ),
-        Command(
-            "recolour",
-            "Curve",
-            "Recol&our curves…",
-            "Give the selected curves another colour",
-            window.curve.choose_colour,
-            enabled=can_edit_any,
-            places=("curve",),
-        ),
-        Command(
-            "hide",
-            "Curve",
-            "Hide or sho&w curves",
-            "Hide the selected curves, or show them again",
-            window.curves.toggle_visible,
-            enabled=has_curve,
-            places=("curve",),
-        ),
-        Command(
-            "lock",
-            "Curve",
-            "Lo&ck or unlock curves",
-            "Guard the selected curves against edits, or let them be edited again",
-            window.curves.toggle_locked,
-            enabled=has_curve,
-            places=("curve",),
-        ),
-        Command(
-            "move_up",
-            "Curve",
-            "Move &up in the list",
-            "Move the current curve one place up in the list, which draws it further beneath",
-            lambda: window.curves.reorder(-1),
-            ("Ctrl+Up",),
-            lambda window: window.selection.curve > 0,
-            on_list=True,
-            places=("curve",),
-            gap=True,
-        ),
-        Command(
-            "move_down",
-            "Curve",
-            "Mo&ve down in the list",
-            "Move the current curve one place down in the list, which draws it further on top",
-            lambda: window.curves.reorder(1),
-            ("Ctrl+Down",),
-            lambda window: 0 <= window.selection.curve < len(window.document.drawing) - 1,
-            on_list=True,
-            places=("curve",),
-        ),
-        mode("trigonometric", Mode.TRIGONOMETRIC, "Make segments &trigonometric", "T", gap=True),
-        mode("hyperbolic", Mode.HYPERBOLIC, "Make segments &hyperbolic", "H"),
-        mode("interpolating", Mode.INTERPOLATING, "Make segments &interpolating", "I"),
-        many(
-            "gradient",
-            "λ &gradient…",
-            "Let λ run evenly over the selected points, those of the selected segments, or the curve",
-            gap=True,
-        ),
-        many("smooth", "&Smooth λ…", "Draw λ that jump up and down towards their neighbours"),
-        many("formula", "λ by &formula…", "Give each λ the value of a formula in i, n and λ"),
-        Command(
-            "keep_hull",
-            "Curve",
-            "&Keep the convex hull",
-            "Let pulls and slides of the curve stay where the convex hull bounds it",
-            canvas.keep_hull,
-            checked=False,
-            gap=True,
-        ),
-        Command(
-            "reverse",
-            "Curve",
-            "&Reverse direction",
-            "Run through the selected curves the other way",
-            lambda: window.announce(reshape.reverse(document, window.selection)),
-            enabled=can_edit_any,
-            places=("segment", "curve"),
-            gap=True,
-        ),
+        *curve_commands(window),
         *map(insert, KNOWN),
         *point_commands(window),
         tool("select", "&Select and move", "Select, move and shape with the mouse", ("S", "N"), "Select"),

@@ -57,5 +57,5 @@ def arrange(document: Document, selection: Selection, text: str, how: Arrange) -
     """
     document.settle()
     held = Held(document.drawing, selection.in_hand)
-    chosen = selection.across
+    chosen = selection.movable
     document.apply(f"{text}: {points_counted(chosen)}" if chosen else text, held.at(how(held.places)))
