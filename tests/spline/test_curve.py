@@ -214,6 +214,7 @@ def test_setting_a_mode_sets_these_segments_and_leaves_distant_ones(curve, mode,
         if not shared & set(curve.lambda_indices(s)) - {None}:
             assert changed.modes[s] is curve.modes[s]
     assert [list(Mode)[code] for code in changed.mode_codes] == list(changed.modes)
+    assert [changed.mode_at(s) for s in range(changed.segment_count)] == list(changed.modes)
 
 
 def test_neighbours_of_a_changed_segment_become_blends_unless_they_agree():

@@ -44,7 +44,7 @@ def segment_at(curve: Curve, row: int) -> int | None:
 def mode_at(curve: Curve, row: int) -> Mode | None:
     """Return the mode of the segment that begins at a control point's joint."""
     segment = segment_at(curve, row)
-    return None if segment is None else curve.modes[segment]
+    return None if segment is None else curve.mode_at(segment)
 
 
 def text(curve: Curve, row: int, column: int) -> str:

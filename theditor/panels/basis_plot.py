@@ -35,7 +35,7 @@ class SegmentBasis:
     @property
     def mode(self) -> Mode:
         """The mode of the segment."""
-        return self.curve.modes[self.segment]
+        return self.curve.mode_at(self.segment)
 
     @property
     def names(self) -> list[str]:

@@ -136,7 +136,7 @@ def shaping_polygon(curve: Curve, segment: int) -> list[int]:
 
 
 def _in_words(curve: Curve, segment: int) -> str:
-    if curve.modes[segment] is Mode.BLEND:
+    if curve.mode_at(segment) is Mode.BLEND:
         return "A blend of trigonometric and hyperbolic"
     points = shaping_polygon(curve, segment)
     if curve.degree == 2:

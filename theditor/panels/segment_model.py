@@ -64,7 +64,7 @@ class SegmentModel(QAbstractListModel):
     def mode(self, row: int) -> Mode:
         """Return the mode of a segment."""
         assert self.curve is not None
-        return self.curve.modes[row]
+        return self.curve.mode_at(row)
 
     def warning(self, row: int) -> str:
         """Say why the convex hull does not bound a segment; nothing where it does."""

@@ -176,22 +176,18 @@ class Curve:
 
     def codes_of(self, segments: NDArray[np.intp]) -> NDArray[np.int8]:
         """Return the modes of some segments as numbers, like `mode_codes`, without looking at the others."""
-        first = segments + self.first_segment
-        count = len(self.lambdas)
-        start, end = self.lambdas[first % count], self.lambdas[(first + 1) % count]
-        if not self.active_lambdas[self.first_segment] and self.segment_count > 1:
-            # A clamped end has no say; a lone straight segment goes by the λ it keeps.
-            begins, ends = segments == 0, segments == self.segment_count - 1
-            start, end = np.where(begins, end, start), np.where(ends, start, end)
-        codes = np.full(len(segments), 3, dtype=np.int8)
-        for code, lam in enumerate((0.0, 1.0, INTERPOLATING[self.degree])):
-            codes[(start == lam) & (end == lam)] = code
-        return codes
+        return joints.mode_codes(self, segments)
 
     @cached_property
     def modes(self) -> tuple[Mode, ...]:
         """The mode of each segment. A segment at a clamped cubic end goes by its one active λ."""
         return tuple(_MODES[self.mode_codes].tolist())
+
+    def mode_at(self, segment: int) -> Mode:
+        """Return the mode of one segment without looking at the others, as `modes` has it."""
+        code = self.codes_of(np.array([segment]))[0]
+        mode: Mode = _MODES[code]
+        return mode
 
     @property
     def polygon(self) -> Floats:

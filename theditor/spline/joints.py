@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from theditor.spline.basis import Floats, blended
+from theditor.spline.basis import INTERPOLATING, Floats, blended
 
 if TYPE_CHECKING:
     from theditor.spline.curve import Curve
@@ -91,6 +91,20 @@ def take_segments(curve: "Curve", segments: NDArray[np.intp]) -> Segments:
     if "joint_form" in vars(curve) or 8 * len(segments) > curve.segment_count:
         return curve.joint_form.take(segments)
     return some_segments(curve, segments)
+
+
+def mode_codes(curve: "Curve", segments: NDArray[np.intp]) -> NDArray[np.int8]:
+    """Return the modes of some segments as numbers: 0 trigonometric, 1 hyperbolic, 2 interpolating, 3 blend."""
+    first, count = segments + curve.first_segment, len(curve.lambdas)
+    start, end = curve.lambdas[first % count], curve.lambdas[(first + 1) % count]
+    if not curve.active_lambdas[curve.first_segment] and curve.segment_count > 1:
+        # A clamped end has no say; a lone straight segment goes by the λ it keeps.
+        begins, ends = segments == 0, segments == curve.segment_count - 1
+        start, end = np.where(begins, end, start), np.where(ends, start, end)
+    codes = np.full(len(segments), 3, dtype=np.int8)
+    for code, lam in enumerate((0.0, 1.0, INTERPOLATING[curve.degree])):
+        codes[(start == lam) & (end == lam)] = code
+    return codes
 
 
 def evaluate(segments: Segments, t: Floats, degree: int, nu: int) -> Floats:
