@@ -16,11 +16,12 @@ where nothing stands still, does not depend much on the size of the drawing eith
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QFont, QPainter, QPixmap
+from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 
 from theditor.canvas.curves import CurvesPainter, paint_ghost, paint_segments
 from theditor.canvas.handles import Detail, detail
@@ -132,6 +133,7 @@ class Layers:
         packed = self._curves.packed(still.plane)
         pieces = [self._still_piece(frame, index) for index in still.held if index not in packed]
         exposed = self._scrolled(*shift) if shift is not None else self._blank()
+        self._below.fill(QColor(still.colours.canvas))
         painter = QPainter(self._below)
         paint_ground(painter, frame)
         for piece in pieces:
@@ -186,7 +188,7 @@ class Layers:
         """Make both pictures new where the size is another, and the upper one empty; returns its whole area."""
         assert self._still is not None
         plane, ratio = self._still.plane, self._still.ratio
-        size = QSize(round(plane.width * ratio), round(plane.height * ratio))
+        size = QSize(math.ceil(plane.width * ratio), math.ceil(plane.height * ratio))
         if self._below.size() != size:
             self._below, self._above = QPixmap(size), QPixmap(size)
         for picture in (self._below, self._above):
