@@ -43,7 +43,8 @@ def outlines(text: str) -> PathData:
             fault = parser.pos + 1
     except (ValueError, TypeError, AttributeError, IndexError, ArithmeticError):
         fault = parser.pos + 1
-    return PathData(tuple(_outlines(path)), fault)
+    with np.errstate(all="ignore"):
+        return PathData(tuple(_outlines(path)), fault)
 
 
 def _outlines(path: Any) -> list[Outline]:

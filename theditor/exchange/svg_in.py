@@ -230,7 +230,8 @@ def _draw(tag: str, node: Node, place: Place, picture: _Picture) -> None:
             picture.faults.append(f"line {node.line} (path: from character {found.fault} of its data on)")
     else:
         try:
-            outlines = SHAPES[tag](Measures(node, place.width, place.height))
+            with np.errstate(all="ignore"):  # what is not finite is refused below
+                outlines = SHAPES[tag](Measures(node, place.width, place.height))
         except ValueError as error:
             raise FaultError(str(error)) from None
     if not outlines:

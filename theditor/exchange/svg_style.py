@@ -21,6 +21,7 @@ _COMMENT: Final = re.compile(r"/\*.*?\*/", re.DOTALL)
 _BLOCK: Final = re.compile(r"([^{}]{1,1000})\{([^{}]*)\}")
 _SELECTOR: Final = re.compile(r"([\w-]+|\*)?([.#][\w-]+)?")
 _LENGTH: Final = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([A-Za-z%]*)\s*")
+_LONGEST: Final = 1e30
 _UNITS: Final = {
     "": 1.0, "px": 1.0, "in": 96.0, "cm": 96 / 2.54, "mm": 96 / 25.4, "q": 96 / 101.6, "pt": 4 / 3, "pc": 16.0,
     "em": 16.0, "ex": 8.0,
@@ -50,6 +51,8 @@ def length(text: str, whole: float = 100.0) -> float:
     if found is None:
         raise ValueError(f"{text[:20]!a} is no length")
     number, unit = float(found[1]), found[2].lower()
+    if not abs(number) <= _LONGEST:
+        raise ValueError(f"{text[:20]!a} is too large")
     if unit == "%":
         return number * whole / 100
     if unit not in _UNITS:

@@ -24,6 +24,7 @@ _CLOSE: Final = (
     1e-6  # of an outline's size: how well points must meet for an exact curve, measured afterwards
 )
 _ROUNDING: Final = 1e-12  # of an outline's size: a deviation below is none
+_LEAST: Final = 1e-150  # a length whose square has lost its digits
 _CIRCLE: Final = 0.5523  # of a handle's way to the corner, in a quarter turn drawn as a cubic Bézier
 _MEANT: Final = 4e-4  # of its size: how far off such a quarter turn is
 
@@ -120,7 +121,7 @@ def _legs(piece: Piece) -> list[_Leg] | None:
     start, end = piece.ends
     chord = end - start
     length = float(np.hypot(*chord))
-    if length == 0:
+    if length <= _LEAST:
         return [] if len(points) == 2 else None
     handles = points[1:-1] - start
     across = handles @ (-chord[1], chord[0]) / length
