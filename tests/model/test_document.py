@@ -1,5 +1,8 @@
 """The document: every edit one exact undo step, previews that leave no trace, files."""
 
+import gc
+import weakref
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -185,3 +188,15 @@ def test_undoing_everything_gives_the_first_value_and_redoing_the_last(edits):
     assert document.drawing == first
     stack.setIndex(done)
     assert document.drawing == last
+
+
+def test_documents_that_nobody_needs_go_with_all_their_steps(qapp):
+    gone = []
+    for _ in range(12):
+        document = Document(Drawing([Item(Curve([[0, 0], [1, 2], [3, 2], [4, 0]]))]))
+        for x in (1.0, 2.0):
+            document.apply_curve("Move", 0, document.drawing[0].curve.with_points(1, [x, 0.0]))
+        gone.append(weakref.ref(document))
+    del document
+    gc.collect()
+    assert [ref() for ref in gone] == [None] * 12

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -273,10 +274,18 @@ class _Replace(QUndoCommand):
 
     def __init__(self, document: Document, text: str, change: Change, key: object) -> None:
         super().__init__(text)
-        self.document = document
+        self._document = weakref.ref(
+            document
+        )  # a circle through Qt's stack must not be left to Python to clear
         self.change = change
         self.key = key
         self._shown = True
+
+    @property
+    def document(self) -> Document:
+        document = self._document()
+        assert document is not None, "its stack belongs to it"
+        return document
 
     def redo(self) -> None:
         if self._shown:
