@@ -54,7 +54,7 @@ class ContinuityPanel(QWidget):
         self.table.entered.connect(self._hover)
         self.table.selectionModel().currentRowChanged.connect(self._select)
         document.changed.connect(self._follow)
-        document.undo_stack.indexChanged.connect(self._follow)
+        document.stepped.connect(self._follow)
         selection.changed.connect(self._follow)
 
     def sizeHint(self) -> QSize:

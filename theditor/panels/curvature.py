@@ -68,7 +68,7 @@ class CurvaturePlot(QWidget):
         describe(self, "Curvature against arc length", _TIP)
         document.changed.connect(self._follow)
         selection.changed.connect(self._follow)
-        document.undo_stack.indexChanged.connect(self._settle)
+        document.stepped.connect(self._settle)
 
     def minimumSizeHint(self) -> QSize:
         """Room for a small plot."""
