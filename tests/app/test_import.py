@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QKeySequence
-from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
+from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QMessageBox
 
 from theditor.app.import_dialog import ImportDialog
 from theditor.app.windows import open_windows
@@ -67,6 +67,7 @@ def dialog_of(window, qtbot):
 
 def test_curves_are_imported_by_keys_in_one_step_and_shown(window, qtbot, reader, files, chosen):
     before = window.document.drawing
+    window.resize(1024, 700)
     chosen(files(house_svg="House", path_csv="Path"))
     qtbot.keySequence(window.canvas, QKeySequence("Ctrl+I"))
     dialog_of(window, qtbot)
@@ -87,6 +88,10 @@ def test_curves_are_imported_by_keys_in_one_step_and_shown(window, qtbot, reader
     assert window.announced == (
         "Imported 2 curves from 2 files. The largest deviation is 0.25 units. A text was left out."
     )
+    said = next(
+        label for label in window.statusBar().findChildren(QLabel) if label.text() == window.announced
+    )
+    assert said.width() >= said.sizeHint().width()  # the whole of it can be read
     assert (window.selection.curve, list(window.selection.chosen)) == (1, [1, 2])
     pixels = window.canvas.plane.to_pixels(FAR.control_points)
     assert (pixels >= 0).all()
@@ -107,12 +112,14 @@ def test_curves_are_imported_by_keys_in_one_step_and_shown(window, qtbot, reader
     assert window.document.drawing == before
 
 
-def test_a_picture_exported_here_comes_back_without_a_question(window, qtbot, reader, files, chosen):
+def test_a_picture_exported_here_comes_back_without_loss_or_question(window, qtbot, files, chosen):
+    (item,) = window.document.drawing
     chosen(files(house_svg=write(window.document.drawing, ".svg").data))
     window.actions_by_name["import"].trigger()
     assert window.findChildren(ImportDialog) == []
     idle(window, qtbot)
-    assert len(window.document.drawing) == 2
+    assert window.document.drawing == Drawing([item, item])
+    assert "Exact." in window.announced
 
 
 def test_one_bad_file_does_not_keep_the_others_back(window, qtbot, reader, files, chosen):

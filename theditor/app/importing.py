@@ -67,9 +67,7 @@ def import_files(window: MainWindow, paths: Sequence[Path]) -> None:
     def add(found: Found) -> None:
         add_curves(window, "Import", found.items)
         show_added(window.canvas, window.selection)
-        window.announce(
-            f"Imported {counted(len(found.items), 'curve')} from {_named(paths)}. {found.told}".rstrip()
-        )
+        window.announce(f"Imported {counted(len(found.items), 'curve')} from {_named(paths)}. {found.told}")
         if found.faults:
             window.messages.tell("\n".join(found.faults))
 
@@ -88,7 +86,7 @@ def open_foreign(window: MainWindow, path: Path) -> None:
         window.document.start(Drawing(found.items), path.stem)
         window.canvas.fit()
         remember_file(path)
-        window.announce(f"Imported {_named([path])}: saving makes a drawing of it. {found.told}".rstrip())
+        window.announce(f"Imported {_named([path])}: saving makes a drawing of it. {found.told}")
 
     window.work.start(
         f"Opening {_named([path])}", lambda progress: read_files([path], options, progress), show, bound=True

@@ -143,7 +143,7 @@ class MainWindow(QMainWindow):
         bar.setSizeGripEnabled(False)
         self._position, self._over, self._zoom, self._hint = (QLabel() for _ in range(4))
         self._announced = QTimer(self, singleShot=True, interval=STAYS)
-        self._announced.timeout.connect(lambda: self._over.setText(""))
+        self._announced.timeout.connect(lambda: self._say(""))
         self._position.setProperty("role", "strong")
         self._position.setMinimumWidth(150)
         bar.addWidget(self._position)
@@ -243,8 +243,18 @@ class MainWindow(QMainWindow):
 
     def announce(self, text: str) -> None:
         """Say something in the status line, until some seconds pass or the pointer finds something later on."""
-        self._over.setText(text)
         self._announced.start()
+        self._say(text)
+
+    def _say(self, text: str) -> None:
+        """Show words in the status line; an announcement also takes the room of what is to its right."""
+        self._over.setText(text)
+        self._over.setToolTip(text)
+        beside = (self._zoom, self._hint)
+        needed = sum(label.sizeHint().width() for label in (self._over, *beside))
+        fits = needed <= self.statusBar().width() - self._over.x()
+        for label in beside:
+            label.setVisible(fits or not self._announced.isActive())
 
     @property
     def announced(self) -> str:
@@ -259,7 +269,7 @@ class MainWindow(QMainWindow):
         unread = self._announced.remainingTime() > STAYS - LEAST_READ
         if (pointed.over and not unread) or not self._announced.isActive():
             self._announced.stop()
-            self._over.setText(pointed.over)
+            self._say(pointed.over)
         self._hint.setText(pointed.hint)
         self._zoom.setText(f"zoom {pointed.scale:.3g} px/unit")
 
