@@ -91,6 +91,11 @@ def window_pictures() -> None:
     window.selection.select(segments={1})
     keep(window, "modes")
 
+    window = opened("figure-10", Theme.LIGHT)
+    window.add_curve()
+    window.selection.select_across({0: [3, 4, 5], 1: [0, 1]})
+    keep(window, "across")
+
     window = opened("figure-10", Theme.DARK, 1024, 700)
     drag(window, (0.0, 1.8509181282393214), (-0.4, 0.6))
     keep(window, "small")

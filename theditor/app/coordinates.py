@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel
 
 from theditor.canvas.held import Held
 from theditor.canvas.nudge import step
+from theditor.canvas.projection import projected
 from theditor.canvas.transform import MARGIN, OUTSIDE
 from theditor.model.words import points_counted
 from theditor.panels.number_field import NumberField
@@ -24,12 +25,14 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
-NEAR, FAR = 20.0, MARGIN + OUTSIDE + 10.0
+NEAR, FAR = 28.0, MARGIN + OUTSIDE + 10.0
 """Distance in pixels from one control point, and from several, whose box has handles outside."""
 EDGE = 8.0
 """Pixels that stay free at the edge of the canvas."""
 MOST = 2000
-"""Of more selected points than this some are kept free, of more points of the curve only the selected ones."""
+"""Of more selected points than this some are kept free, of a curve with more points only the selected ones."""
+_SAMPLES = 8
+"""Places on each segment that are kept free where they can be."""
 
 
 class Coordinates(QFrame):
@@ -147,7 +150,7 @@ class Coordinates(QFrame):
         return any(field.hasFocus() for field in self.fields)
 
     def _place(self) -> None:
-        """Lie beside the selection, where it covers as few control points as possible."""
+        """Lie beside the selection, where it covers as few control points and as little of the curve as possible."""
         plane = self._window.canvas.plane
         pixels = plane.to_pixels(self._held.places)
         if not len(pixels):
@@ -156,23 +159,29 @@ class Coordinates(QFrame):
         size = np.array([self.width(), self.height()], dtype=float)
         low, high = extent(pixels)
         pixels = pixels[:: len(pixels) // MOST + 1]
-        item = self._window.selection.item
-        others = item.curve.control_points[:, :2] if item is not None else np.empty((0, 2))
-        if len(others) > MOST:
-            others = others[:0]
+        around, along = self._near()
         spots = _spots(low, high, NEAR if (low == high).all() else FAR, size)
         room = np.array([plane.width, plane.height]) - size - EDGE
-        inside = [spot for spot in spots if (spot >= EDGE).all() and (spot <= room).all()]
+        inside = [np.clip(spot, EDGE, np.maximum(room, EDGE)) for spot in spots]
         corners = [np.array(corner) for corner in ((room[0], room[1]), (EDGE, room[1]), (room[0], EDGE))]
-        around = plane.to_pixels(others)
 
         def covered(spot: Floats) -> tuple[int, int]:
             end = spot + size
-            inner, outer = (int(((p > spot - 8) & (p < end + 8)).all(axis=1).sum()) for p in (pixels, around))
-            return inner, outer
+            inner, outer, line = (
+                int(((p > spot - 8) & (p < end + 8)).all(axis=1).sum()) for p in (pixels, around, along)
+            )
+            return inner, _SAMPLES * outer + line
 
         best = min(inside + corners, key=covered)
         self.move(int(best[0]), int(best[1]))
+
+    def _near(self) -> tuple[Floats, Floats]:
+        """Control points and places of the current curve in pixels; none of a large one."""
+        plane, item = self._window.canvas.plane, self._window.selection.item
+        if item is None or len(item.curve.control_points) > MOST:
+            return np.empty((0, 2)), np.empty((0, 2))
+        curve = projected(item.curve)
+        return plane.to_pixels(curve.control_points), plane.to_pixels(curve.sample(_SAMPLES))
 
 
 def _spots(low: Floats, high: Floats, away: float, size: Floats) -> list[Floats]:
