@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from hashlib import sha256
+from html import escape
 from typing import Any, Final
 from xml.parsers import expat
-from xml.sax.saxutils import escape
 
 from theditor.drawing import Drawing, decode, encode
 
@@ -42,7 +42,7 @@ def metadata(drawing: Drawing, picture: str) -> str:
     # These two letters may stand in a name, but not in XML.
     text = text.replace("\ufffe", "\\ufffe").replace("\uffff", "\\uffff")
     mark = _parsed(f'<svg xmlns="{_SVG}">{picture}</svg>'.encode()).fingerprint
-    return f'<metadata><drawing xmlns="{NAMESPACE}" picture="{mark}">\n{escape(text)}</drawing></metadata>\n'
+    return f'<metadata><drawing xmlns="{NAMESPACE}" picture="{mark}">\n{escape(text, quote=False)}</drawing></metadata>\n'
 
 
 def extract(data: bytes) -> Embedded | None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterator
+from html import escape
 from typing import Final
-from xml.sax.saxutils import escape
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,7 +51,7 @@ def _curves(shown: Scene) -> Iterator[str]:
     yield '<g id="curves" fill="none" stroke-linecap="round" stroke-linejoin="round">\n'
     for figure in shown.figures:
         name = _identity(figure.item.name, taken)
-        title = f"<title>{escape(figure.item.name.translate(_UNFIT))}</title>"
+        title = f"<title>{escape(figure.item.name.translate(_UNFIT), quote=False)}</title>"
         width = shown.length(figure.width)
         look = f'stroke="{figure.color}" stroke-width="{width!r}"'
         if len(figure.strokes) == 1:
