@@ -42,7 +42,8 @@ def metadata(drawing: Drawing, picture: str) -> str:
     # These two letters may stand in a name, but not in XML.
     text = text.replace("\ufffe", "\\ufffe").replace("\uffff", "\\uffff")
     mark = _parsed(f'<svg xmlns="{_SVG}">{picture}</svg>'.encode()).fingerprint
-    return f'<metadata><drawing xmlns="{NAMESPACE}" picture="{mark}">\n{escape(text, quote=False)}</drawing></metadata>\n'
+    content = escape(text, quote=False)
+    return f'<metadata><drawing xmlns="{NAMESPACE}" picture="{mark}">\n{content}</drawing></metadata>\n'
 
 
 def extract(data: bytes) -> Embedded | None:
