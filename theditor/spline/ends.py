@@ -12,6 +12,7 @@ from theditor.spline.points import Edited, insert
 from theditor.spline.refit import refitted
 
 _AROUND: Final = 4  # control points that are refitted at either end
+_REACH: Final = 3  # segments beyond them that they shape
 _PER_SEGMENT: Final = 12  # samples of the old shape
 
 
@@ -59,5 +60,17 @@ def _clamped(curve: Curve) -> Edited:
     )
     last = len(points) - 1
     free = np.union1d(np.arange(1, min(1 + _AROUND, last)), np.arange(max(last - _AROUND, 1), last))
-    result, _ = refitted(start, curve(u), np.interp(u, old, new), free)
-    return Edited(result, deviation(curve, result, (0, count), (0, count + 2)))
+    v = np.interp(u, old, new)
+    near = np.minimum(v, count + 2 - v) < _AROUND + _REACH  # the shape is the same elsewhere
+    result, _ = refitted(start, curve(u[near]), v[near], free)
+    return Edited(result, _off(curve, result))
+
+
+def _off(curve: Curve, result: Curve) -> float:
+    """Return how far a curve is from the one clamped, which has a segment more at each end."""
+    count, end = curve.segment_count, _AROUND + _REACH
+    if count <= 2 * end:
+        return deviation(curve, result, (0, count), (0, count + 2))
+    # Segment by segment in between, where hardly any differ.
+    u, v = np.array([0, end, count - end, count]), np.array([0, end + 1, count - end + 1, count + 2])
+    return max(deviation(curve, result, u[i : i + 2], v[i : i + 2]) for i in range(3))
