@@ -1,4 +1,4 @@
-"""Outlines become TH-curves: exactly where such a curve exists, else within the tolerance."""
+"""Contours become TH-curves: exactly where such a curve exists, else within the tolerance."""
 
 import numpy as np
 import pytest
@@ -7,8 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from theditor.drawing import DrawingError
-from theditor.exchange.outline import ellipse, polyline, size
-from theditor.exchange.path_data import outlines
+from theditor.exchange.contour import ellipse, polyline, size
+from theditor.exchange.path_data import contours
 from theditor.exchange.traced import traced
 from theditor.spline import nearest
 
@@ -16,10 +16,10 @@ KAPPA = 0.5522847498307936
 
 
 def only(data):
-    found, fault = outlines(data)
+    found, fault = contours(data)
     assert fault is None
-    (outline,) = found
-    return outline
+    (contour,) = found
+    return contour
 
 
 def along(data, per_piece=40):
@@ -88,13 +88,13 @@ commands = st.one_of(
 @given(st.lists(commands, min_size=1, max_size=4), st.booleans(), st.sampled_from([2, 3]))
 def test_any_path_is_met_as_nearly_as_is_said(parts, closed, degree):
     data = "M0 0" + " ".join(" ".join(part) for part in parts) + "Z" * closed
-    for outline in outlines(data).outlines:
-        tolerance = 2e-3 * size([outline])
-        curve, deviation, meant = traced(outline, tolerance, degree)
+    for contour in contours(data).contours:
+        tolerance = 2e-3 * size([contour])
+        curve, deviation, meant = traced(contour, tolerance, degree)
         assert deviation <= tolerance or meant
         apart = missed(along(data, 12)[:: max(1, len(parts) // 2)], curve)
-        assert apart <= deviation * (1 + 1e-6) + 1e-12 * size([outline])
-        assert curve.closed == outline.closed
+        assert apart <= deviation * (1 + 1e-6) + 1e-12 * size([contour])
+        assert curve.closed == contour.closed
 
 
 def test_a_smooth_path_takes_few_points():
@@ -113,9 +113,9 @@ def test_cusps_are_corners():
 
 def test_places_that_cannot_be_coordinates_are_refused():
     for data in ("M0 0L1e400 1", "M0 0L1e13 1", "M0 0A1e300 1e300 0 0 1 1e299 5"):
-        for outline in outlines(data).outlines:
+        for contour in contours(data).contours:
             with pytest.raises(DrawingError, match="coordinates must be numbers within"):
-                outline.moved(np.eye(2, 3))
+                contour.moved(np.eye(2, 3))
 
 
 @pytest.mark.parametrize(
@@ -131,11 +131,11 @@ def test_places_that_cannot_be_coordinates_are_refused():
     ],
 )
 def test_path_data_is_read_up_to_its_fault(data, count, fault):
-    found = outlines(data)
-    assert (len(found.outlines), found.fault) == (count, fault)
+    found = contours(data)
+    assert (len(found.contours), found.fault) == (count, fault)
 
 
 def test_a_polyline_forgets_points_that_repeat():
-    outline = polyline([(0, 0), (0, 0), (1, 0), (1, 0), (1, 1), (0, 0)], closed=True)
-    assert len(outline.pieces) == 3
-    assert len(traced(outline, 1e-3).curve.control_points) == 6
+    contour = polyline([(0, 0), (0, 0), (1, 0), (1, 0), (1, 1), (0, 0)], closed=True)
+    assert len(contour.pieces) == 3
+    assert len(traced(contour, 1e-3).curve.control_points) == 6

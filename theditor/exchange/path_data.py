@@ -1,4 +1,4 @@
-"""The path data of SVG, such as ``M0 0 C1 1 2 1 3 0 Z``, as outlines."""
+"""The path data of SVG, such as ``M0 0 C1 1 2 1 3 0 Z``, as contours."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 import svgelements
 
-from theditor.exchange.outline import Arc, Bezier, Floats, Outline, Piece
+from theditor.exchange.contour import Arc, Bezier, Contour, Floats, Piece
 
 LONGEST: Final = 16 * 2**20
 """Characters of the longest path data that is read."""
@@ -19,7 +19,7 @@ _START: Final = re.compile(r"\s*[Mm][\s,]*[-+.\d]")
 class PathData(NamedTuple):
     """What path data draws, and where it cannot be read on."""
 
-    outlines: tuple[Outline, ...]
+    contours: tuple[Contour, ...]
     fault: int | None  # number of a character from 1, None if all is well
 
 
@@ -28,8 +28,8 @@ def is_path_data(text: str) -> bool:
     return _START.match(text) is not None
 
 
-def outlines(text: str) -> PathData:
-    """Return the outlines of path data; as SVG demands, what comes before a fault counts.
+def contours(text: str) -> PathData:
+    """Return the contours of path data; as SVG demands, what comes before a fault counts.
 
     Coordinates are those of the text, and may be infinite.
     """
@@ -44,16 +44,16 @@ def outlines(text: str) -> PathData:
     except (ValueError, TypeError, AttributeError, IndexError, ArithmeticError):
         fault = parser.pos + 1
     with np.errstate(all="ignore"):
-        return PathData(tuple(_outlines(path)), fault)
+        return PathData(tuple(_contours(path)), fault)
 
 
-def _outlines(path: Any) -> list[Outline]:
-    found: list[Outline] = []
+def _contours(path: Any) -> list[Contour]:
+    found: list[Contour] = []
     pieces: list[Piece] = []
 
     def finish(closed: bool) -> None:
         if pieces:
-            found.append(Outline(tuple(pieces), closed))
+            found.append(Contour(tuple(pieces), closed))
             pieces.clear()
 
     for part in path:
@@ -72,7 +72,7 @@ def _outlines(path: Any) -> list[Outline]:
             case svgelements.Arc():
                 pieces.extend(_arc(part))
     finish(False)
-    return [_closed_if_round(outline) for outline in found]
+    return [_closed_if_round(contour) for contour in found]
 
 
 def _line(part: Any) -> list[Piece]:
@@ -100,10 +100,10 @@ def _arc(part: Any) -> list[Piece]:
     return [Arc(centre, cosine, sine, abs(float(part.sweep)))]
 
 
-def _closed_if_round(outline: Outline) -> Outline:
-    """Return an outline as closed if it ends where it began, up to rounding."""
-    ends = outline.pieces[0].ends[0], outline.pieces[-1].ends[1]
-    room = 1e-12 * max(float(np.abs(piece.ends).max()) for piece in outline.pieces)
-    if len(outline.pieces) > 1 and bool((np.abs(ends[0] - ends[1]) <= room).all()):
-        return outline._replace(closed=True)
-    return outline
+def _closed_if_round(contour: Contour) -> Contour:
+    """Return a contour as closed if it ends where it began, up to rounding."""
+    ends = contour.pieces[0].ends[0], contour.pieces[-1].ends[1]
+    room = 1e-12 * max(float(np.abs(piece.ends).max()) for piece in contour.pieces)
+    if len(contour.pieces) > 1 and bool((np.abs(ends[0] - ends[1]) <= room).all()):
+        return contour._replace(closed=True)
+    return contour

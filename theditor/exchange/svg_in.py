@@ -13,8 +13,8 @@ import numpy as np
 from theditor.drawing import Drawing, DrawingError, Item
 from theditor.drawing.drawing import NAME_LENGTH, WIDTH_RANGE
 from theditor.exchange import embedded, path_data
+from theditor.exchange.contour import Contour, size
 from theditor.exchange.options import DEFAULTS, PARTS, Imported, Options, Progress
-from theditor.exchange.outline import Outline, size
 from theditor.exchange.svg_place import FaultError, Place, outer_size, then, transform, viewbox, within_view
 from theditor.exchange.svg_shapes import SHAPES, Measures
 from theditor.exchange.svg_style import Look, Rules, colour, inherited, properties, rules
@@ -40,9 +40,9 @@ _LEAST_SIZE: Final = 1e-100
 
 
 class _Drawn(NamedTuple):
-    """An outline in the drawing's coordinates, with the name and style of what it is of."""
+    """A contour in the drawing's coordinates, with the name and style of what it is of."""
 
-    outline: Outline
+    contour: Contour
     name: str
     color: str
     width: float
@@ -102,19 +102,19 @@ def read_path_data(text: str, options: Options = DEFAULTS, progress: Progress | 
     DrawingError
         If it draws nothing, or cannot be read to its end.
     """
-    found = path_data.outlines(text)
+    found = path_data.contours(text)
     if found.fault is not None:
         raise DrawingError(f"The path data cannot be read from character {found.fault} on.")
-    if not found.outlines:
+    if not found.contours:
         raise DrawingError("The path data draws nothing.")
-    _check_pieces(sum(len(outline.pieces) for outline in found.outlines))
+    _check_pieces(sum(len(contour.pieces) for contour in found.contours))
     look = Look(stroke="none", fill="none")
-    names = _numbered("Path", len(found.outlines))
+    names = _numbered("Path", len(found.contours))
     upward = np.array([[1.0, 0, 0], [0, -1.0, 0]])
     try:
         drawn = [
-            _Drawn(outline.moved(upward), name, colour(look), 2.0, True)
-            for outline, name in zip(found.outlines, names, strict=True)
+            _Drawn(contour.moved(upward), name, colour(look), 2.0, True)
+            for contour, name in zip(found.contours, names, strict=True)
         ]
     except DrawingError as error:
         raise DrawingError(f"In the path data {error}.") from None
@@ -122,23 +122,23 @@ def read_path_data(text: str, options: Options = DEFAULTS, progress: Progress | 
     return Imported(drawing, deviation, notes)
 
 
-# From outlines to curves
+# From contours to curves
 
 
 def _curves(
     drawn: Sequence[_Drawn], options: Options, progress: Progress | None
 ) -> tuple[Drawing, float, tuple[str, ...]]:
-    tolerance = options.tolerance * size([one.outline for one in drawn])
+    tolerance = options.tolerance * size([one.contour for one in drawn])
     items: list[Item] = []
     largest, meant, beyond = 0.0, 0, 0
-    total, done = sum(len(one.outline.pieces) for one in drawn), 0
+    total, done = sum(len(one.contour.pieces) for one in drawn), 0
     for one in drawn:
         if progress is not None:
             progress(done / total)
-        done += len(one.outline.pieces)
-        if size([one.outline]) < _LEAST_SIZE:
+        done += len(one.contour.pieces)
+        if size([one.contour]) < _LEAST_SIZE:
             continue
-        curve, deviation, stands_for = traced(one.outline, tolerance, options.degree)
+        curve, deviation, stands_for = traced(one.contour, tolerance, options.degree)
         items.append(Item(curve, one.name, one.color, one.width, one.visible))
         largest = max(largest, deviation)
         meant += stands_for
@@ -155,7 +155,7 @@ def _curves(
     return Drawing(items), largest, tuple(notes)
 
 
-# From elements to outlines
+# From elements to contours
 
 
 def _picture(root: Node, aside: frozenset[str]) -> _Picture:
@@ -222,32 +222,32 @@ def _go_through(node: Node, place: Place, picture: _Picture, shown_by_use: bool 
 
 
 def _draw(tag: str, node: Node, place: Place, picture: _Picture) -> None:
-    outlines: Sequence[Outline]
+    contours: Sequence[Contour]
     if tag == "path":
-        found = path_data.outlines(node.attributes.get("d", ""))
-        outlines = found.outlines
+        found = path_data.contours(node.attributes.get("d", ""))
+        contours = found.contours
         if found.fault is not None:
             picture.faults.append(f"line {node.line} (path: from character {found.fault} of its data on)")
     else:
         try:
             with np.errstate(all="ignore"):  # what is not finite is refused below
-                outlines = SHAPES[tag](Measures(node, place.width, place.height))
+                contours = SHAPES[tag](Measures(node, place.width, place.height))
         except ValueError as error:
             raise FaultError(str(error)) from None
-    if not outlines:
+    if not contours:
         return
-    picture.pieces += sum(len(outline.pieces) for outline in outlines)
+    picture.pieces += sum(len(contour.pieces) for contour in contours)
     _check_pieces(picture.pieces)
     with np.errstate(all="ignore"):
         scale = float(np.sqrt(abs(np.linalg.det(place.matrix[:, :2])))) * picture.stroke_scale
     width = float(np.clip(place.look.width * scale, *WIDTH_RANGE)) if np.isfinite(scale) else WIDTH_RANGE[1]
     try:
-        moved = [outline.moved(place.matrix) for outline in outlines]
+        moved = [contour.moved(place.matrix) for contour in contours]
     except DrawingError as error:
         raise DrawingError(f"Line {node.line}: {error}.") from None
     visible = place.look.visible and place.look.displayed
-    for outline, name in zip(moved, _numbered(_name(tag, node, picture), len(moved)), strict=True):
-        picture.drawn.append(_Drawn(outline, name, colour(place.look), width, visible))
+    for contour, name in zip(moved, _numbered(_name(tag, node, picture), len(moved)), strict=True):
+        picture.drawn.append(_Drawn(contour, name, colour(place.look), width, visible))
 
 
 def _use(node: Node, place: Place, picture: _Picture) -> None:

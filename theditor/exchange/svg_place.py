@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import svgelements
 
-from theditor.exchange.outline import Floats
+from theditor.exchange.contour import Floats
 from theditor.exchange.svg_shapes import Measures
 from theditor.exchange.svg_style import Look, length
 from theditor.exchange.xml_tree import Node

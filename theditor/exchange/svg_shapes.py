@@ -1,4 +1,4 @@
-"""The basic shapes of SVG as outlines."""
+"""The basic shapes of SVG as contours."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Final
 
 import numpy as np
 
-from theditor.exchange.outline import Arc, Bezier, Outline, Piece, ellipse, polyline
+from theditor.exchange.contour import Arc, Bezier, Contour, Piece, ellipse, polyline
 from theditor.exchange.svg_style import length
 from theditor.exchange.xml_tree import Node
 
@@ -48,7 +48,7 @@ class Measures:
         return self._attributes.get(name, "auto").strip() != "auto"
 
 
-def _rectangle(of: Measures) -> list[Outline]:
+def _rectangle(of: Measures) -> list[Contour]:
     left, top, width, height = of.x("x"), of.y("y"), of.x("width"), of.y("height")
     if width <= 0 or height <= 0:
         return []
@@ -71,7 +71,7 @@ def _rectangle(of: Measures) -> list[Outline]:
         if np.abs(line[1] - line[0]).max() > 1e-12 * max(width, height):
             pieces.append(Bezier(line))
         pieces.append(arc)
-    return [Outline(tuple(pieces), True)]
+    return [Contour(tuple(pieces), True)]
 
 
 def _quarter(*vectors: tuple[float, float]) -> Arc:
@@ -79,29 +79,29 @@ def _quarter(*vectors: tuple[float, float]) -> Arc:
     return Arc(centre, cosine, sine, np.pi / 2)
 
 
-def _circle(of: Measures) -> list[Outline]:
+def _circle(of: Measures) -> list[Contour]:
     r = of.r("r")
     return [ellipse(of.x("cx"), of.y("cy"), r, r)] if r > 0 else []
 
 
-def _ellipse(of: Measures) -> list[Outline]:
+def _ellipse(of: Measures) -> list[Contour]:
     across, down = of.given("rx"), of.given("ry")
     a = of.x("rx") if across else of.y("ry")
     b = of.y("ry") if down else a
     return [ellipse(of.x("cx"), of.y("cy"), a, b)] if a > 0 and b > 0 else []
 
 
-def _line(of: Measures) -> list[Outline]:
+def _line(of: Measures) -> list[Contour]:
     return _polyline([of.x("x1"), of.y("y1"), of.x("x2"), of.y("y2")], closed=False)
 
 
-def _polyline(numbers: list[float], closed: bool) -> list[Outline]:
+def _polyline(numbers: list[float], closed: bool) -> list[Contour]:
     points = np.reshape(numbers[: len(numbers) // 2 * 2], (-1, 2))
-    outline = polyline(points, closed) if len(points) else None
-    return [outline] if outline is not None and outline.pieces else []
+    contour = polyline(points, closed) if len(points) else None
+    return [contour] if contour is not None and contour.pieces else []
 
 
-SHAPES: Final[dict[str, Callable[[Measures], list[Outline]]]] = {
+SHAPES: Final[dict[str, Callable[[Measures], list[Contour]]]] = {
     "rect": _rectangle,
     "circle": _circle,
     "ellipse": _ellipse,
@@ -109,4 +109,4 @@ SHAPES: Final[dict[str, Callable[[Measures], list[Outline]]]] = {
     "polyline": lambda of: _polyline(of.numbers("points"), closed=False),
     "polygon": lambda of: _polyline(of.numbers("points"), closed=True),
 }
-"""Outlines by the name of the element; each raises a ValueError where something is no length."""
+"""Contours by the name of the element; each raises a ValueError where something is no length."""

@@ -1,4 +1,4 @@
-"""Outlines as TH-curves: exact where such a curve exists, else fitted within a tolerance.
+"""Contours as TH-curves: exact where such a curve exists, else fitted within a tolerance.
 
 A quadratic T segment is a quarter of an ellipse from the middle of one edge of its polygon to that of the next,
 or a straight line where its points are in line. So lines, quarter turns and what is made of them smoothly, such
@@ -12,18 +12,16 @@ from typing import Final, Literal, NamedTuple
 
 import numpy as np
 
-from theditor.exchange.outline import Arc, Bezier, Floats, Outline, Piece, steps
+from theditor.exchange.contour import Arc, Bezier, Contour, Floats, Piece, steps
 from theditor.spline import Curve, fit
 from theditor.spline.deviation import farthest
 from theditor.spline.fit import LIKE_POLYNOMIALS
 
-_CHORD: Final = 0.05  # of the tolerance: how far from the outline the points are joined that a fit takes
+_CHORD: Final = 0.05  # of the tolerance: how far from the contour the points are joined that a fit takes
 _CORNER: Final = np.cos(np.radians(1))
 _MOST_POINTS: Final = 1500  # that one part of a curve is fitted to at once
-_CLOSE: Final = (
-    1e-6  # of an outline's size: how well points must meet for an exact curve, measured afterwards
-)
-_ROUNDING: Final = 1e-12  # of an outline's size: a deviation below is none
+_CLOSE: Final = 1e-6  # of a contour's size: how well points must meet for an exact curve, measured afterwards
+_ROUNDING: Final = 1e-12  # of a contour's size: a deviation below is none
 _LEAST: Final = 1e-150  # a length whose square has lost its digits
 _CIRCLE: Final = 0.5523  # of a handle's way to the corner, in a quarter turn drawn as a cubic Bézier
 _MEANT: Final = 4e-4  # of its size: how far off such a quarter turn is
@@ -32,7 +30,7 @@ Degree = Literal[2, 3]
 
 
 class Traced(NamedTuple):
-    """A curve along an outline."""
+    """A curve along a contour."""
 
     curve: Curve
     deviation: float  # largest distance between the two, 0 where the curve is exact
@@ -49,16 +47,16 @@ class _Leg(NamedTuple):
     span: tuple[float, float] = (0.0, 1.0)
 
 
-def traced(outline: Outline, tolerance: float, degree: Degree = 3) -> Traced:
-    """Return a curve along an outline; closed if that is, with corners where it has any.
+def traced(contour: Contour, tolerance: float, degree: Degree = 3) -> Traced:
+    """Return a curve along a contour; closed if that is, with corners where it has any.
 
     Lines, quarter turns of ellipses and smooth runs of them become an exact quadratic (a single line a curve of
     the degree asked for), and so do quarters drawn as cubic Béziers, which differ by 3·10⁻⁴ of their size. All
-    else is fitted with λ = 0. Long parts without a corner are fitted in pieces.
+    else is fitted with the λ of `LIKE_POLYNOMIALS`. Long parts without a corner are fitted in pieces.
 
     Parameters
     ----------
-    outline : Outline
+    contour : Contour
         With at least one piece.
     tolerance : float
         Largest distance allowed where it is fitted. The closest curve is returned where that cannot be met.
@@ -68,18 +66,18 @@ def traced(outline: Outline, tolerance: float, degree: Degree = 3) -> Traced:
     Raises
     ------
     ValueError
-        If the outline is no more than one place.
+        If the contour is no more than one place.
     """
-    exact = _exact(outline, tolerance, degree)
-    return exact if exact is not None else _fitted(outline, tolerance, degree)
+    exact = _exact(contour, tolerance, degree)
+    return exact if exact is not None else _fitted(contour, tolerance, degree)
 
 
 # Exact curves
 
 
-def _exact(outline: Outline, tolerance: float, degree: Degree) -> Traced | None:
+def _exact(contour: Contour, tolerance: float, degree: Degree) -> Traced | None:
     legs: list[_Leg] = []
-    for piece in outline.pieces:
+    for piece in contour.pieces:
         found = _legs(piece)
         if found is None:
             return None
@@ -92,7 +90,7 @@ def _exact(outline: Outline, tolerance: float, degree: Degree) -> Traced | None:
         if degree == 2:
             ends.insert(1, (ends[0] + ends[1]) / 2)
         return Traced(Curve(ends, 0, degree, ends="clamped"), 0.0)
-    joined = _joined(legs, outline.closed, _CLOSE * size)
+    joined = _joined(legs, contour.closed, _CLOSE * size)
     if joined is None:
         return None
     curve, places = joined
@@ -217,13 +215,13 @@ def _off(legs: list[_Leg], curve: Curve, places: list[int]) -> float:
 # Fitted curves
 
 
-def _fitted(outline: Outline, tolerance: float, degree: Degree) -> Traced:
-    points, corners, chord = _stroke(outline, tolerance)
+def _fitted(contour: Contour, tolerance: float, degree: Degree) -> Traced:
+    points, corners, chord = _stroke(contour, tolerance)
     curve, deviation = fit(
         points,
         degree,
         (1 - _CHORD) * tolerance,
-        outline.closed,
+        contour.closed,
         "clamped" if corners else "free",
         shape=False,
         corners=corners,
@@ -232,13 +230,13 @@ def _fitted(outline: Outline, tolerance: float, degree: Degree) -> Traced:
     return Traced(curve, deviation + chord)
 
 
-def _stroke(outline: Outline, tolerance: float) -> tuple[Floats, list[int], float]:
-    """Return points along an outline, which of them are corners, and how far chords between them are off."""
+def _stroke(contour: Contour, tolerance: float) -> tuple[Floats, list[int], float]:
+    """Return points along a contour, which of them are corners, and how far chords between them are off."""
     parts: list[Floats] = []
     corners: list[int] = []
     total, since, chord = 0, 0, 0.0
-    arrived = outline.pieces[-1].directions[1] if outline.closed else None
-    for piece in outline.pieces:
+    arrived = contour.pieces[-1].directions[1] if contour.closed else None
+    for piece in contour.pieces:
         leaves, arrives = piece.directions
         turns = arrived is not None and float(leaves @ arrived) < _CORNER
         if turns or since > _MOST_POINTS:
@@ -250,9 +248,9 @@ def _stroke(outline: Outline, tolerance: float) -> tuple[Floats, list[int], floa
         parts.append(points[:-1])
         total, since, arrived = total + count, since + count, arrives
         chord = max(chord, piece.bend / (8 * count**2))
-    if not outline.closed:
-        parts.append(outline.pieces[-1].ends[1:])
-    return *_distinct(np.concatenate(parts), corners, outline.closed), chord
+    if not contour.closed:
+        parts.append(contour.pieces[-1].ends[1:])
+    return *_distinct(np.concatenate(parts), corners, contour.closed), chord
 
 
 def _cusps(points: Floats) -> list[int]:

@@ -1,4 +1,4 @@
-"""Outlines as foreign formats have them: runs of lines, Béziers and elliptical arcs in the plane."""
+"""Contours as foreign formats have them: runs of lines, Béziers and elliptical arcs in the plane."""
 
 from __future__ import annotations
 
@@ -102,14 +102,14 @@ class Arc:
 Piece = Bezier | Arc
 
 
-class Outline(NamedTuple):
-    """Pieces, each beginning where the one before ends; the last one of a closed outline ends at its start."""
+class Contour(NamedTuple):
+    """Pieces, each beginning where the one before ends; the last one of a closed contour ends at its start."""
 
     pieces: tuple[Piece, ...]
     closed: bool
 
-    def moved(self, matrix: Floats) -> Outline:
-        """Return the outline under an affine map.
+    def moved(self, matrix: Floats) -> Contour:
+        """Return the contour under an affine map.
 
         Parameters
         ----------
@@ -122,26 +122,26 @@ class Outline(NamedTuple):
             If a coordinate is not finite or larger than those of a drawing; the middle of a sentence.
         """
         with np.errstate(all="ignore"):
-            outline = Outline(tuple(piece.moved(matrix) for piece in self.pieces), self.closed)
-            for piece in outline.pieces:
+            contour = Contour(tuple(piece.moved(matrix) for piece in self.pieces), self.closed)
+            for piece in contour.pieces:
                 every = piece.points if isinstance(piece, Bezier) else [*piece.ends, piece.cosine, piece.sine]
                 if not (np.abs(every) <= MAX_COORDINATE / 4).all():
                     raise DrawingError(f"coordinates must be numbers within ±{MAX_COORDINATE / 4:g}")
-        return outline
+        return contour
 
 
-def polyline(points: Sequence[Sequence[float]] | Floats, closed: bool = False) -> Outline:
-    """Return the outline along some points; points that repeat the one before are left out."""
+def polyline(points: Sequence[Sequence[float]] | Floats, closed: bool = False) -> Contour:
+    """Return the contour along some points; points that repeat the one before are left out."""
     every = np.asarray(points, dtype=np.float64)
     if closed and len(every):
         every = np.concatenate((every, every[:1]))
     every = every[np.append(True, np.any(every[1:] != every[:-1], axis=1))]
-    return Outline(tuple(Bezier(every[i : i + 2]) for i in range(len(every) - 1)), closed)
+    return Contour(tuple(Bezier(every[i : i + 2]) for i in range(len(every) - 1)), closed)
 
 
-def ellipse(x: float, y: float, a: float, b: float) -> Outline:
+def ellipse(x: float, y: float, a: float, b: float) -> Contour:
     """Return a whole ellipse with semi-axes along x and y."""
-    return Outline((Arc(np.array([x, y]), np.array([a, 0.0]), np.array([0.0, b]), 2 * np.pi),), True)
+    return Contour((Arc(np.array([x, y]), np.array([a, 0.0]), np.array([0.0, b]), 2 * np.pi),), True)
 
 
 def steps(piece: Piece, chord: float) -> int:
@@ -149,16 +149,16 @@ def steps(piece: Piece, chord: float) -> int:
     return int(np.clip(np.ceil(np.sqrt(piece.bend / (8 * chord))), 1, _MOST_STEPS))
 
 
-def size(outlines: Sequence[Outline]) -> float:
-    """Return the longer side of the box around some outlines, 0 if there are none."""
-    corners = list(_corners(outlines))
+def size(contours: Sequence[Contour]) -> float:
+    """Return the longer side of the box around some contours, 0 if there are none."""
+    corners = list(_corners(contours))
     return float(np.ptp(np.concatenate(corners), axis=0).max()) if corners else 0.0
 
 
-def _corners(outlines: Sequence[Outline]) -> Iterator[Floats]:
+def _corners(contours: Sequence[Contour]) -> Iterator[Floats]:
     t = np.linspace(0, 1, _SIZE_STEPS + 1)
-    for outline in outlines:
-        for piece in outline.pieces:
+    for contour in contours:
+        for piece in contour.pieces:
             straight = isinstance(piece, Bezier) and len(piece.points) == 2
             yield piece.ends if straight else piece.at(t)
 
