@@ -91,7 +91,7 @@ def test_curves_are_imported_by_keys_in_one_step_and_shown(window, qtbot, reader
     said = next(
         label for label in window.statusBar().findChildren(QLabel) if label.text() == window.announced
     )
-    assert said.width() >= said.sizeHint().width()  # the whole of it can be read
+    qtbot.waitUntil(lambda: said.width() >= said.sizeHint().width())  # the whole of it can be read
     assert (window.selection.curve, list(window.selection.chosen)) == (1, [1, 2])
     pixels = window.canvas.plane.to_pixels(FAR.control_points)
     assert (pixels >= 0).all()

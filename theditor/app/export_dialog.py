@@ -19,10 +19,10 @@ from PySide6.QtWidgets import (
 )
 
 from theditor.app.export_preview import ExportPreview
+from theditor.app.problem_line import ProblemLine
 from theditor.drawing import Drawing
 from theditor.exchange import FORMATS, PARTS, Options, writable
 from theditor.exchange.scene import PRINTED
-from theditor.model import words
 from theditor.panels.live_inputs import LiveField
 from theditor.panels.parts import GAP, MARGIN, ComboBox, Paragraph, describe, row
 
@@ -104,11 +104,7 @@ class ExportDialog(QDialog):
         self._suffix = ""
         self._make_fields()
         self.preview = ExportPreview(drawing)
-        self.sentence = QLabel()
-        self.sentence.setWordWrap(True)
-        self.sentence.setTextFormat(Qt.TextFormat.PlainText)
-        self.sentence.setMinimumHeight(2 * self.fontMetrics().lineSpacing() + 4)
-        self.sentence.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.sentence = ProblemLine(2)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self.button = buttons.addButton("&Export…", QDialogButtonBox.ButtonRole.AcceptRole)
         self.button.setDefault(True)
@@ -295,7 +291,7 @@ class ExportDialog(QDialog):
             self.preview.show_outcome(self._suffix, self.options())
         except ValueError as error:
             problem = str(error)
-        self.sentence.setText(words.sentence(problem))
+        self.sentence.show_problem(problem)
         self.button.setEnabled(not problem)
 
 

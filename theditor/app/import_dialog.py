@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QVBoxLayout, QWidget
 
+from theditor.app.problem_line import ProblemLine
 from theditor.drawing import shown
 from theditor.exchange import Options
 from theditor.model import words
@@ -60,11 +61,7 @@ class ImportDialog(QDialog):
         form.addRow("&Degree", self.degree)
         form.addRow("&Tolerance, share of size", self.tolerance)
         self._only_tables = all(tables)
-        self.sentence = QLabel()
-        self.sentence.setWordWrap(True)
-        self.sentence.setTextFormat(Qt.TextFormat.PlainText)
-        self.sentence.setAlignment(Qt.AlignmentFlag.AlignTop)
-        self.sentence.setMinimumHeight(2 * self.fontMetrics().lineSpacing() + 4)
+        self.sentence = ProblemLine(2)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self.button = buttons.addButton("&Import", QDialogButtonBox.ButtonRole.AcceptRole)
         self.button.setDefault(True)
@@ -99,7 +96,7 @@ class ImportDialog(QDialog):
             self.options()
         except ValueError as error:
             problem = str(error)
-        self.sentence.setText(words.sentence(problem))
+        self.sentence.show_problem(problem)
         self.button.setEnabled(not problem)
 
 

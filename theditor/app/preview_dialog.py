@@ -7,8 +7,9 @@ from collections.abc import Callable
 from PySide6.QtCore import QPoint, Qt, SignalInstance
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QGridLayout, QLabel, QVBoxLayout, QWidget
 
+from theditor.app.problem_line import ProblemLine
 from theditor.drawing import Drawing
-from theditor.model import Document, words
+from theditor.model import Document
 from theditor.panels.parts import GAP, MARGIN, Paragraph, heading
 
 _WIDTH = 400
@@ -54,12 +55,7 @@ class PreviewDialog(QDialog):
         self._gesture = document.begin(step)
         paragraph = Paragraph()
         paragraph.setText(about)
-        self.sentence = QLabel()
-        self.sentence.setWordWrap(True)
-        self.sentence.setAlignment(Qt.AlignmentFlag.AlignTop)
-        self.sentence.setTextFormat(Qt.TextFormat.PlainText)
-        # Room is kept for it, so that nothing jumps while a hand is typing.
-        self.sentence.setMinimumHeight(_SENTENCE_LINES * self.fontMetrics().lineSpacing() + 4)
+        self.sentence = ProblemLine(_SENTENCE_LINES)
         self.buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
         )
@@ -94,7 +90,7 @@ class PreviewDialog(QDialog):
             problem = str(error)
         else:
             self._gesture.preview(drawing)
-        self.sentence.setText(words.sentence(problem))
+        self.sentence.show_problem(problem)
         self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(not problem)
 
     def open(self) -> None:
