@@ -20,7 +20,8 @@ from theditor.spline import (
     recognise_segments,
     reversed_joints,
 )
-from theditor.spline.certificate import joints, remarkable, summary, table
+from theditor.spline.certificate import remarkable, summary, table
+from theditor.spline.numerals import counted
 
 _MOST_LINES = 20  # about the parts of one curve; of longer ones they are counted
 
@@ -51,7 +52,7 @@ def run(options: argparse.Namespace) -> int:
             known = {"error": fault} if fault else {"curves": [facts(each) for each in curves]}
             answers.append({"file": file, **known})
         else:
-            print(fault or f"{file}: {_count(len(curves), 'curve')}")
+            print(fault or f"{file}: {counted(len(curves), 'curve')}")
             for line in (line for each in curves for line in _lines(each)):
                 print(f"  {line}")
     if options.json:
@@ -127,7 +128,7 @@ def _segments(measured: Measured) -> list[str]:
         counts = Counter(each.name for each in found if each is not None)
         lines = [", ".join(f"{count} × {name}" for name, count in counts.items())] if counts else []
         if negative := len(set(guards.segments.tolist())):
-            where = _count(negative, "segment")
+            where = counted(negative, "segment")
             lines.append(f"{where} with a negative basis function: there the convex hull is no bound")
         return lines
     lines = []
@@ -151,7 +152,7 @@ def _certificate(measured: Measured) -> Iterator[str]:
     for joint in islice(remarks, _MOST_LINES):
         yield str(joint)
     if more := sum(1 for _ in remarks):
-        yield f"… and {joints(more)} more with a remark"
+        yield f"… and {counted(more, 'joint')} more with a remark"
     for end in reversed_joints(curve):
         if not curve.closed and end.joint in curve.domain:
             yield f"{end.reason}."
@@ -164,8 +165,8 @@ def _described(item: Item) -> str:
         "quadratic" if curve.degree == 2 else "cubic",
         "closed" if curve.closed else f"open with {curve.ends} ends",
         *(["in space"] if curve.dimension == 3 else []),
-        _count(len(curve.control_points), "point"),
-        _count(curve.segment_count, "segment"),
+        counted(len(curve.control_points), "point"),
+        counted(curve.segment_count, "segment"),
     ]
     return f"{item.name}: {', '.join(parts)}; {_modes(curve)}"
 
@@ -186,7 +187,3 @@ def _modes(curve: Curve) -> str:
         for mode, numbers in runs
     )
     return "segments " + ", ".join(f"{span} {mode}" for span, mode in spans)
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

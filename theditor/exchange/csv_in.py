@@ -14,6 +14,7 @@ from theditor.drawing import Drawing, DrawingError, Item
 from theditor.drawing.drawing import NAME_LENGTH
 from theditor.exchange.options import DEFAULTS, Imported, Options, Progress
 from theditor.spline import INTERPOLATING, Curve, fit
+from theditor.spline.numerals import counted
 
 Floats = NDArray[np.float64]
 
@@ -126,8 +127,8 @@ def _header(rows: list[_Row]) -> tuple[_Columns, list[_Row]]:
     if any(re.fullmatch(_NUMBER, cell) for cell in first):
         if len(first) not in (2, 3):
             raise DrawingError(
-                f"Line {rows[0].line} has {_columns(len(first))}: without a header line there must be two or three, "
-                "for x, y and z."
+                f"Line {rows[0].line} has {counted(len(first), 'column')}: without a header line there must be "
+                "two or three, for x, y and z."
             )
         return _Columns(len(first), tuple(range(len(first)))), rows
     names = [cell.lower() for cell in first]
@@ -162,7 +163,7 @@ def _numbers(rows: list[_Row], columns: _Columns) -> tuple[Floats, Floats | None
     for row, values in zip(rows, table, strict=True):
         if len(row.cells) != columns.width:
             raise DrawingError(
-                f"Line {row.line} has {_columns(len(row.cells))}, and the first line has {columns.width}."
+                f"Line {row.line} has {counted(len(row.cells), 'column')}, and the first line has {columns.width}."
             )
         for place, column in enumerate(wanted):
             cell = row.cells[column]
@@ -175,10 +176,6 @@ def _numbers(rows: list[_Row], columns: _Columns) -> tuple[Floats, Floats | None
         raise DrawingError("The table has both points and commas as decimal signs: write all numbers alike.")
     points, shape = table[:, : len(columns.axes)], table[:, len(columns.axes) :]
     return points, shape[:, 0] if shape.size else None
-
-
-def _columns(count: int) -> str:
-    return "1 column" if count == 1 else f"{count} columns"
 
 
 def _short(text: str) -> str:

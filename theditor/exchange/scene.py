@@ -13,6 +13,7 @@ from theditor.drawing import Drawing, Item
 from theditor.exchange.options import Options
 from theditor.spline import Curve, Outline, bounds, curvature, outline, projected
 from theditor.spline.extent import extent
+from theditor.spline.numerals import counted
 
 Floats = NDArray[np.float64]
 
@@ -160,7 +161,7 @@ def remarks(drawing: Drawing, *, plane: bool) -> Iterator[str]:
     """Yield what a format does not show of a drawing, a sentence each."""
     hidden = len(drawing) - len(visible(drawing))
     if hidden:
-        yield f"{hidden} hidden {'curve is' if hidden == 1 else 'curves are'} left out."
+        yield f"{counted(hidden, 'hidden curve')} {'is' if hidden == 1 else 'are'} left out."
     if plane and any(item.curve.dimension == 3 for item in visible(drawing)):
         yield "Curves in space are drawn as seen from above."
 

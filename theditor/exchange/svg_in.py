@@ -20,6 +20,7 @@ from theditor.exchange.svg_shapes import SHAPES, Measures
 from theditor.exchange.svg_style import Look, Rules, colour, inherited, properties, rules
 from theditor.exchange.traced import traced
 from theditor.exchange.xml_tree import MAX_DEPTH, Node, parse
+from theditor.spline.numerals import counted
 
 MAX_PIECES: Final = 200_000
 """Lines, Béziers and arcs of the largest picture that is read."""
@@ -148,10 +149,10 @@ def _curves(
     notes = []
     if meant:
         notes.append(
-            f"{_counted(meant, 'curve')} drawn with Béziers: the ellipse arcs they stand for were taken."
+            f"{counted(meant, 'curve')} drawn with Béziers: the ellipse arcs they stand for were taken."
         )
     if beyond:
-        notes.append(f"{_counted(beyond, 'curve')} could not be fitted within the tolerance.")
+        notes.append(f"{counted(beyond, 'curve')} could not be fitted within the tolerance.")
     return Drawing(items), largest, tuple(notes)
 
 
@@ -305,7 +306,7 @@ def _remarks(picture: _Picture) -> list[str]:
     """Return what was not taken over, a sentence each."""
     notes = []
     if picture.left_out:
-        what = [_counted(count, word) for word, count in sorted(picture.left_out.items())]
+        what = [counted(count, word) for word, count in sorted(picture.left_out.items())]
         notes.append(f"Left out, as no curve: {', '.join(what)}.")
     if picture.effects:
         notes.append(f"What is drawn with {' or '.join(sorted(picture.effects))} is read without them.")
@@ -323,7 +324,3 @@ def _check_pieces(count: int) -> None:
         raise DrawingError(
             f"There are more than {MAX_PIECES:,} lines, Béziers and arcs, the most that are read."
         )
-
-
-def _counted(count: int, word: str) -> str:
-    return f"{count} {word}" if count == 1 else f"{count} {word}s"

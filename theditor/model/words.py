@@ -8,27 +8,19 @@ from collections.abc import Iterable, Mapping, Sequence, Sized
 import numpy as np
 
 from theditor.spline import Curve, Mode
+from theditor.spline.numerals import counted as counted
+from theditor.spline.numerals import indexed as indexed
+from theditor.spline.numerals import number as number
 
 MODE_LETTERS = {Mode.TRIGONOMETRIC: "T", Mode.HYPERBOLIC: "H", Mode.INTERPOLATING: "λ*"}
 """The modes that can be set, with the letter that stands for each."""
 
-_SUBSCRIPTS = str.maketrans("0123456789-", "₀₁₂₃₄₅₆₇₈₉₋")
 _ENUMERATED = 4
 
 
 def sentence(problem: str) -> str:
     """Return what an error says as a sentence, with a capital and a full stop; nothing stays nothing."""
     return problem and problem[0].upper() + problem[1:].removesuffix(".") + "."
-
-
-def indexed(symbol: str, index: int) -> str:
-    """Return a symbol with its subscript: ``λ₁₂``."""
-    return symbol + str(index).translate(_SUBSCRIPTS)
-
-
-def number(value: float) -> str:
-    """Write `value` in at most six significant digits, with a true minus sign."""
-    return f"{value:.6g}".replace("-", "−")
 
 
 def exact(value: float) -> str:
@@ -39,11 +31,6 @@ def exact(value: float) -> str:
 def listed(names: Sequence[str]) -> str:
     """Join names in a sentence: ``4, 5 and 6``."""
     return names[0] if len(names) == 1 else ", ".join(names[:-1]) + " and " + names[-1]
-
-
-def counted(count: int, noun: str) -> str:
-    """Count: ``1 point``, ``3 points``."""
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
 
 
 def points_counted(points: Mapping[int, Sized], state: str = "") -> str:

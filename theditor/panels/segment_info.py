@@ -22,7 +22,8 @@ from theditor.model.words import (
 )
 from theditor.panels.parts import Paragraph, column, describe, heading
 from theditor.spline import Curve, Missing, Mode, arc_length, bending_energy, missing, mode_of, recognise
-from theditor.spline.wording import position, with_article
+from theditor.spline.numerals import position
+from theditor.spline.wording import with_article
 
 _HINT = "Select a segment on the curve or in the list."
 _ACCURACY = 1e-7

@@ -6,6 +6,7 @@ from typing import Final
 import numpy as np
 
 from theditor.spline.continuity import Continuity, JointReport
+from theditor.spline.numerals import counted, position
 
 _POWERS: Final = "⁰¹²"
 
@@ -15,7 +16,7 @@ def _jump(order: int) -> Callable[[JointReport], str]:
 
 
 def _position(joint: JointReport) -> str:
-    return "(" + ", ".join(f"{x:.6g}".replace("-", "−") for x in joint.position) + ")"
+    return position(joint.position)
 
 
 def _curvature(joint: JointReport) -> str:
@@ -65,11 +66,11 @@ def summary(report: Continuity) -> str:
     promise = f"C{_POWERS[report.promised]}"
     failing = int(np.count_nonzero(~report.holds))
     if failing:
-        verdict = f"{failing} of {joints(count)} {'fails' if failing == 1 else 'fail'} the promised {promise}"
+        verdict = f"{failing} of {counted(count, 'joint')} {'fails' if failing == 1 else 'fail'} the promised {promise}"
     elif count == 1:
         verdict = f"1 joint, {promise} as promised"
     else:
-        verdict = f"{joints(count)}, all {promise} as promised"
+        verdict = f"{counted(count, 'joint')}, all {promise} as promised"
     largest = float(report.relative_jumps[:, : report.promised + 1].max())
     limit = f"within {small(report.tolerance)} of the size of the terms"
     parts = [f"{verdict} {limit} (largest jump {small(largest)})"]
@@ -87,11 +88,6 @@ def remarkable(report: Continuity) -> Iterator[JointReport]:
     rows = np.flatnonzero(report.still | ~report.holds | np.isin(report.joint, list(report.reversals)))
     failing_first = rows[np.argsort(report.holds[rows], kind="stable")]
     return (report[row] for row in failing_first.tolist())
-
-
-def joints(count: int) -> str:
-    """Count joints: ``1 joint``, ``3 joints``."""
-    return "1 joint" if count == 1 else f"{count} joints"
 
 
 def small(size: float) -> str:

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from theditor.spline.basis import Floats, Mode, check_degree, lambda_of
 from theditor.spline.checks import MAX_COORDINATE
 from theditor.spline.curve import Curve
+from theditor.spline.numerals import number
 
 MAX_SEGMENTS: Final = 10_000
 """The longest chain of segments that is made."""
@@ -112,7 +113,7 @@ def clean_numbers(values: ArrayLike, what: str, count: int = 1) -> Floats:
 
 def listed(numbers: Floats) -> str:
     """Write numbers in a sentence: ``2, −1``."""
-    return ", ".join(f"{x:g}" for x in numbers.tolist()).replace("-", "−")
+    return ", ".join(map(number, numbers.tolist()))
 
 
 def _places(segments: int, start: float, c1: Floats, degree: int) -> Floats:

@@ -14,6 +14,7 @@ from theditor.spline.curvature import stands_still
 from theditor.spline.curve import Curve
 from theditor.spline.distinct import distinct
 from theditor.spline.guards import reversed_joints
+from theditor.spline.numerals import number
 from theditor.spline.sampling import changed_segments
 from theditor.spline.turns import cross, speed_scale
 
@@ -49,7 +50,7 @@ class JointReport:
 
     def __str__(self) -> str:
         """Return a sentence or two in plain words."""
-        place = ", ".join(_number(x) for x in self.position)
+        place = ", ".join(map(number, self.position))
         parts = [f"Joint {self.number} at ({place}): {_order('C', self.order)}"]
         if self.order >= 0 and not self.still:
             parts[0] += f" and {_order('G', self.geometric_order)}"
@@ -58,14 +59,14 @@ class JointReport:
             parts[0] += f"; {promise} holds"
         else:
             broken = self.order + 1
-            size = _number(self.relative_jumps[broken])
+            size = number(self.relative_jumps[broken])
             parts[0] += f"; {promise} fails: the {_MEASURED[broken]} jumps by {size} of its size"
         if not self.still and self.geometric_order < 2:
             parts[0] += "; the curvature jumps "
             if len(self.position) == 2:
-                parts[0] += f"from {_number(self.curvature_left)} to {_number(self.curvature_right)}"
+                parts[0] += f"from {number(self.curvature_left)} to {number(self.curvature_right)}"
             else:
-                parts[0] += f"by {_number(self.curvature_jump)}"
+                parts[0] += f"by {number(self.curvature_jump)}"
         return ". ".join([*parts, *([self.note] if self.note else [])]) + "."
 
 
@@ -124,7 +125,7 @@ class Continuity:
         if not self.still[row]:
             return self.reversals.get(int(self.joint[row]), "")
         if self.stopped_by_lambda[row]:
-            why = f"its λ is {_number(round(JOINT_SLOPE_ZERO, 3))}…"
+            why = f"its λ is {number(round(JOINT_SLOPE_ZERO, 3))}…"
         elif self.promised == 1:
             why = "the two control points beside it coincide"
         else:
@@ -295,7 +296,3 @@ def _leading(agree: NDArray[np.bool_]) -> NDArray[np.intp]:
 
 def _order(kind: str, order: int) -> str:
     return f"{kind}{_ORDERS[order]}" if order >= 0 else _ORDERS[-1]
-
-
-def _number(x: float) -> str:
-    return f"{x:.6g}".replace("-", "−")

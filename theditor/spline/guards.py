@@ -9,14 +9,13 @@ from numpy.typing import NDArray
 from theditor.spline.basis import CONVEX_HULL_RANGE, JOINT_SLOPE_ZERO, Floats, basis
 from theditor.spline.curve import Curve
 from theditor.spline.joints import take_segments
+from theditor.spline.numerals import indexed, number
 from theditor.spline.shape import BEND_ROUNDING, defining_points
 
 _NEGATIVE: Final = 1e-12  # of max(1, |λ|): a basis function less than this below zero is not negative
 _NODES: Final = np.linspace(0, 1, 65)
 _STEPS: Final = 16  # of Newton's method with bisection between nodes
 _BLOCK: Final = 4096  # pairs of λ at a time, to bound the memory
-
-_SUBSCRIPTS: Final = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
 @dataclass(frozen=True)
@@ -32,7 +31,7 @@ class Guards:
     def reason(self, segment: int) -> str:
         """Say what is negative in a segment and what follows; nothing where no basis function is."""
         own = slice(*np.searchsorted(self.segments, (segment, segment + 1)))
-        names = [f"{'qc'[self.degree - 2]}{_subscript(k)}" for k in self.functions[own].tolist()]
+        names = [indexed("qc"[self.degree - 2], k) for k in self.functions[own].tolist()]
         places = [f"near t = {t:.2g}" for t in self.t[own].tolist()]
         if not names:
             return ""
@@ -176,20 +175,16 @@ def _largest(start: Floats, end: Floats) -> Floats:
 def _what_happens(degree: int, joint: int, lam: float, at_end: bool) -> str:
     # Joints are called by the number of their λ everywhere.
     if lam == JOINT_SLOPE_ZERO:
-        name = f"λ{_subscript(joint)} = −2.648…"
+        name = f"{indexed('λ', joint)} = −2.648…"
         if degree == 2:
             return f"{name}: the curve stands still at joint {joint}, where it is C¹ but not G¹"
         return f"{name}: the second derivative vanishes at joint {joint}, where the curve has no curvature"
-    name = f"λ{_subscript(joint)} = {lam:g}".replace("-", "−") + " is below −2.648…"
+    name = f"{indexed('λ', joint)} = {number(lam)} is below −2.648…"
     if degree == 3:
         return f"{name}: the second derivative at joint {joint} is reversed, which adds inflections"
     if at_end:
         return f"{name}: the velocity at joint {joint}, an end of the curve, is reversed"
     return f"{name}: the velocity reverses at joint {joint}, which makes a cusp or a loop"
-
-
-def _subscript(number: int) -> str:
-    return str(number).translate(_SUBSCRIPTS)
 
 
 def _chain(points: Floats) -> list[Floats]:

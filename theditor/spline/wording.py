@@ -1,4 +1,4 @@
-"""Known curves in words: numbers, equations and descriptions, with true minus signs."""
+"""Known curves in words: equations and descriptions, with true minus signs."""
 
 from collections.abc import Mapping, Sequence
 from math import atanh, degrees, sqrt
@@ -6,19 +6,9 @@ from typing import Any
 
 from theditor.spline.basis import Mode
 from theditor.spline.kinds import Kind
+from theditor.spline.numerals import indexed, number, position
 
-_SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _LEFT_SIDE = {2: "(x, y)", 3: "(x, y, z)"}
-
-
-def number(value: float, tolerance: float = 0.0) -> str:
-    """Write a number in at most six significant digits; what is within the tolerance of zero is 0."""
-    return "0" if abs(value) <= tolerance else f"{value:.6g}".replace("-", "−")
-
-
-def position(point: Sequence[float], tolerance: float) -> str:
-    """Write a point or vector: ``(1, −2)``."""
-    return f"({', '.join(number(x, tolerance) for x in point)})"
 
 
 def equation(mode: Mode, coefficients: Sequence[Sequence[float]], tolerance: float) -> str:
@@ -44,7 +34,7 @@ def fixed(point: Sequence[float], tolerance: float) -> str:
 
 def suggestion(wrong: Sequence[tuple[int, float]], target: float, kind: Kind) -> str:
     """Say which λ, (control point, value), to set to what, and what for."""
-    found = " and ".join(f"λ{str(i).translate(_SUBSCRIPTS)} = {_exact(value)}" for i, value in wrong)
+    found = " and ".join(f"{indexed('λ', i)} = {_exact(value)}" for i, value in wrong)
     both = "both " if len(wrong) > 1 else ""
     return f"{found}: set {both}to {target:g} to make it {with_article(kind)}"
 
