@@ -207,7 +207,9 @@ def _merged(pieces: Outline) -> Outline:
     sizes = np.linalg.norm(before, axis=0), np.linalg.norm(after, axis=0)
     area = np.sqrt((np.atleast_2d(cross(before, after)) ** 2).sum(axis=0))
     rounding = 4 * _EPS * float(np.abs(pieces.ends).max())
-    onward = (area <= rounding * (sizes[0] + sizes[1])) & ((before * after).sum(axis=0) > 0)
+    # A line no longer than rounding has a direction by chance: next to it, sideways is not onward.
+    along = (before * after).sum(axis=0) > sizes[0] * sizes[1] / 2
+    onward = (area <= rounding * (sizes[0] + sizes[1])) & along
     return _chosen(pieces, np.append(True, ~(onward & line[:-1] & line[1:])))
 
 
