@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from theditor.drawing import DrawingError
 from theditor.spline import MAX_COORDINATE
+from theditor.spline.distinct import moves_on
 
 Floats = NDArray[np.float64]
 
@@ -135,7 +136,7 @@ def polyline(points: Sequence[Sequence[float]] | Floats, closed: bool = False) -
     every = np.asarray(points, dtype=np.float64)
     if closed and len(every):
         every = np.concatenate((every, every[:1]))
-    every = every[np.append(True, np.any(every[1:] != every[:-1], axis=1))]
+    every = every[moves_on(every)]
     return Contour(tuple(Bezier(every[i : i + 2]) for i in range(len(every) - 1)), closed)
 
 

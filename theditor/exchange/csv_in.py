@@ -14,6 +14,7 @@ from theditor.drawing import Drawing, DrawingError, Item
 from theditor.drawing.drawing import NAME_LENGTH
 from theditor.exchange.options import DEFAULTS, Imported, Options, Progress
 from theditor.spline import INTERPOLATING, Curve, fit
+from theditor.spline.distinct import moves_on
 from theditor.spline.numerals import counted
 
 Floats = NDArray[np.float64]
@@ -189,8 +190,7 @@ def _curve(points: Floats, lambdas: Floats | None, options: Options) -> tuple[Cu
     """Return a curve of points, how far it is from them, and what there is to tell of it."""
     if options.control_points or lambdas is not None:
         return Curve(points, 0.0 if lambdas is None else lambdas, options.degree, ends="clamped"), 0.0, ""
-    kept = np.append(True, (points[1:] != points[:-1]).any(axis=1))
-    points = points[kept]
+    points = points[moves_on(points)]
     closed = len(points) > 3 and bool((points[0] == points[-1]).all())
     if closed:
         points = points[:-1]

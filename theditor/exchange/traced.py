@@ -15,6 +15,7 @@ import numpy as np
 from theditor.exchange.contour import Arc, Bezier, Contour, Floats, Piece, steps
 from theditor.spline import Curve, fit
 from theditor.spline.deviation import farthest
+from theditor.spline.distinct import moves_on
 from theditor.spline.fit import LIKE_POLYNOMIALS
 
 _CHORD: Final = 0.05  # of the tolerance: how far from the contour the points are joined that a fit takes
@@ -265,7 +266,7 @@ def _cusps(points: Floats) -> list[int]:
 
 def _distinct(points: Floats, corners: list[int], closed: bool) -> tuple[Floats, list[int]]:
     """Return points without those that rounding put in the place of the one before, and the corners among them."""
-    apart = np.append(True, np.any(points[1:] != points[:-1], axis=1))
+    apart = moves_on(points)
     if closed and len(points) > 1 and (points[0] == points[-1]).all():
         apart[-1] = False
     places = np.cumsum(apart) - 1

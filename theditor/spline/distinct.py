@@ -1,9 +1,11 @@
-"""The different ones among some values."""
+"""The different ones among some values, or in a row of points."""
 
 from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+
+from theditor.spline.basis import Floats
 
 Scalar = TypeVar("Scalar", bound=np.generic)
 
@@ -19,3 +21,8 @@ def distinct(values: NDArray[Scalar]) -> NDArray[Scalar]:
     ascending: NDArray[Scalar] = np.sort(values)
     result: NDArray[Scalar] = ascending[np.append(True, ascending[1:] != ascending[:-1])]
     return result
+
+
+def moves_on(points: Floats) -> NDArray[np.bool_]:
+    """Return of each of the points, (n, d), whether it is not the same as the one before."""
+    return np.append(True, (points[1:] != points[:-1]).any(axis=1))

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from theditor.spline.basis import Floats
 from theditor.spline.curve import Curve
 from theditor.spline.deviation import farthest
+from theditor.spline.distinct import moves_on
 from theditor.spline.sampling import evaluate_segments
 
 _TURN: Final = np.cos(
@@ -27,8 +28,7 @@ _RUN: Final = 32  # edges of the stroke
 
 def cleaned(points: Floats, closed: bool) -> Floats:
     """Return a stroke without points that repeat the one before."""
-    apart = np.append(True, np.any(points[1:] != points[:-1], axis=1))
-    points = points[apart]
+    points = points[moves_on(points)]
     if closed and len(points) > 1 and (points[0] == points[-1]).all():
         points = points[:-1]
     least = 3 if closed else 2
