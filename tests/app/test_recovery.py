@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 from theditor.app.ending import prepare_end
 from theditor.app.problems import catch_everything
 from theditor.app.recover_dialog import RecoverDialog, offer_work
+from theditor.app.windows import open_windows
 from theditor.drawing import DrawingError, load, save
 from theditor.model.kept_work import DAYS, kept_work
 
@@ -136,7 +137,7 @@ def test_each_work_is_recovered_in_a_window_of_its_own(window, hand, qtbot, tmp_
     assert len(dialog.list.selectedItems()) == 2
     assert kept_work() == []  # no other process offers it meanwhile
     dialog.accept()
-    other = next(w for w in QApplication.topLevelWidgets() if type(w) is type(window) and w is not window)
+    other = next(each for each in open_windows if each is not window)
     qtbot.addWidget(other, before_close_func=lambda w: w.document.undo_stack.setClean())
     assert (window.document.drawing, window.document.path) == (two, tmp_path / "two.json")
     assert (other.document.drawing, other.document.path) == (one, None)

@@ -178,8 +178,17 @@ def test_output_that_cannot_be_written_is_told(stream):
     assert run.stderr == b"theditor: the output cannot be written: No space left on device.\n"
 
 
+@pytest.fixture
+def interruptible():
+    """Started in the background, a shell's commands ignore interrupts, and so would theirs."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 @posix
-def test_an_interrupted_command_ends_with_130_and_says_nothing(tmp_path):
+@pytest.mark.usefixtures("interruptible")
+def test_an_interrupted_command_ends_with_130_and_says_nothing():
     """The interrupt comes while standard input is waited for."""
     command = [sys.executable, "-m", "theditor", "check", FIGURE_10, "-"]
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
