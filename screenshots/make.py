@@ -17,6 +17,7 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent, QPainter
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
+from theditor.app.export_dialog import ExportDialog
 from theditor.app.gallery_dialog import GalleryDialog
 from theditor.app.insert_dialog import InsertDialog
 from theditor.app.main_window import MainWindow
@@ -127,8 +128,14 @@ def shaping_pictures() -> None:
 
 
 def dialog_pictures() -> None:
-    """The gallery, and a known curve being inserted."""
+    """The gallery, an export, and a known curve being inserted."""
     window = opened("figure-10", Theme.LIGHT)
+    window.actions_by_name["export"].trigger()
+    export = window.findChild(ExportDialog)
+    export.print_style.setChecked(True)
+    keep(export, "export")
+    export.reject()
+
     gallery = GalleryDialog(window)
     gallery.show()
     keep(gallery, "gallery")
