@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from theditor.drawing import Drawing, DrawingError, Item
 from theditor.exchange import Options, read, write
-from theditor.spline import INTERPOLATING, Curve, nearest
+from theditor.spline import INTERPOLATING, Curve, known, nearest
 
 numbers = st.floats(-1e12, 1e12, allow_subnormal=False)
 tables = st.integers(2, 3).flatmap(
@@ -75,6 +75,13 @@ def test_sparse_points_are_passed_through(degree, closed):
     assert nearest(item.curve, points)[1].max() < 1e-12
     assert imported.deviation == 0
     assert imported.notes == ("The curve passes through each point, as λ = λ*.",)
+
+
+def test_samples_too_few_to_tell_the_curve_within_the_tolerance_are_passed_through():
+    points = known.ellipse((0, 0), (2, 1)).sample(28)[:-1]
+    [curve] = curves("\n".join(f"{x!r} {y!r}" for x, y in points.tolist()))
+    assert (curve.control_points == points).all()
+    assert (curve.lambdas == INTERPOLATING[3]).all()
 
 
 def test_a_table_written_here_comes_back_within_the_tolerance():

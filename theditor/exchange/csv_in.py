@@ -21,7 +21,7 @@ Floats = NDArray[np.float64]
 
 MOST_ROWS: Final = 1_000_000
 _MOST_FITTED: Final = 2000  # points of a curve that are fitted; a fit takes its time
-_DENSE: Final = np.cos(np.radians(10))  # points that turn by less are samples of a curve to be found
+_DENSE: Final = np.radians(10)  # points that turn by less are samples of a curve to be found
 _NUMBER: Final = r"[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?"
 _AXES: Final = ("x", "y", "z")
 _SHAPE: Final = frozenset({"lambda", "λ"})
@@ -50,8 +50,9 @@ def read(data: bytes, options: Options = DEFAULTS, progress: Progress | None = N
     passed over, so that a table that was written here comes back.
 
     The points are taken as control points of an open curve if the options say so or the table has λ. Otherwise
-    they are points to pass through, round if the last is the first: densely sampled ones are fitted within the
-    tolerance by fewer control points; each of others becomes a control point with λ*, which the curve meets.
+    they are points to pass through, round if the last is the first: samples so dense that the chords between them
+    keep to the tolerance are fitted within it by fewer control points; each of others becomes a control point
+    with λ*, which the curve meets.
 
     Raises
     ------
@@ -194,8 +195,8 @@ def _curve(points: Floats, lambdas: Floats | None, options: Options) -> tuple[Cu
     closed = len(points) > 3 and bool((points[0] == points[-1]).all())
     if closed:
         points = points[:-1]
-    if len(points) <= _MOST_FITTED and _dense(points):
-        tolerance = options.tolerance * float(np.ptp(points, axis=0).max())
+    tolerance = options.tolerance * float(np.ptp(points, axis=0).max())
+    if len(points) <= _MOST_FITTED and _dense(points, tolerance):
         fitted = fit(points, options.degree, tolerance, closed)
         if fitted.deviation <= tolerance and len(fitted.curve.control_points) < len(points):
             return fitted.curve, fitted.deviation, ""
@@ -205,11 +206,16 @@ def _curve(points: Floats, lambdas: Floats | None, options: Options) -> tuple[Cu
     return through, 0.0, "The curve passes through each point, as λ = λ*."
 
 
-def _dense(points: Floats) -> bool:
-    """Whether points follow each other closely along a curve."""
+def _dense(points: Floats, tolerance: float) -> bool:
+    """Whether points follow each other closely along a curve, most of them on chords within a tolerance of it.
+
+    Else a fit would have to follow the chords, with more control points than there are points.
+    """
     steps = np.diff(points, axis=0)
     if len(steps) < 8:
         return False
-    turns = np.einsum("ij,ij->i", steps[:-1], steps[1:])
     lengths = np.linalg.norm(steps, axis=1)
-    return bool(np.median(turns / (lengths[:-1] * lengths[1:])) >= _DENSE)
+    cosines = np.einsum("ij,ij->i", steps[:-1], steps[1:]) / (lengths[:-1] * lengths[1:])
+    turns = np.arccos(np.clip(cosines, -1, 1))
+    heights = np.minimum(lengths[:-1], lengths[1:]) * turns / 8
+    return bool(np.median(turns) <= _DENSE and np.median(heights) <= tolerance)
