@@ -87,7 +87,7 @@ def selected(draw):
     return Curve(shape, draw(st.floats(-1, 2)), degree, closed, ends), chosen
 
 
-@settings(max_examples=25)
+@settings(max_examples=12)
 @given(selected(), st.booleans())
 def test_inserting_and_removing_go_one_step_each_and_keep_count(case, segments):
     curve, chosen = case

@@ -78,11 +78,11 @@ def test_wrong_usage_ends_with_2_and_the_usage(capsys, arguments):
     assert capsys.readouterr().err.startswith("usage: theditor")
 
 
-def test_imports_run_without_qt(tmp_path):
-    for suffix in readable():
-        (tmp_path / f"in{suffix}").write_bytes(write(load(FIGURE_10), suffix).data)
-        assert used_qt("import", tmp_path / f"in{suffix}", "-o", tmp_path / "out.json") == set()
-        assert len(load(tmp_path / "out.json")) == 1
+@pytest.mark.parametrize("suffix", readable())
+def test_imports_run_without_qt(suffix, tmp_path):
+    (tmp_path / f"in{suffix}").write_bytes(write(load(FIGURE_10), suffix).data)
+    assert used_qt("import", tmp_path / f"in{suffix}", "-o", tmp_path / "out.json") == set()
+    assert len(load(tmp_path / "out.json")) == 1
 
 
 def test_a_mistyped_command_is_told_instead_of_opened(capsys):

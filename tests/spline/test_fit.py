@@ -20,7 +20,7 @@ def to_polyline(points, corners):
 def missed(stroke, curve):
     """How far the stroke's points are from the curve, or the curve from the polyline."""
     line = np.concatenate((stroke, stroke[:1])) if curve.closed else stroke
-    return max(max(nearest(curve, p)[1] for p in stroke), to_polyline(curve.sample(100), line).max())
+    return max(nearest(curve, stroke)[1].max(), to_polyline(curve.sample(100), line).max())
 
 
 def wave(count=200, noise=0.0, seed=0):

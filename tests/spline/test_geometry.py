@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from spline_strategies import coordinates, curves, scale
 
@@ -64,6 +64,7 @@ def test_far_away_points_and_large_coordinates_keep_the_accuracy():
     assert nearest(known.ellipse(), (1e9, 0))[1] == pytest.approx(1e9 - 2, abs=1e-3)
 
 
+@settings(max_examples=25)
 @given(curves())
 def test_many_points_are_as_near_as_one_by_one(curve):
     points = np.random.default_rng(2).uniform(-9, 9, (2, 3, curve.dimension))
