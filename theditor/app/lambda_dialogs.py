@@ -20,8 +20,6 @@ from theditor.panels.live_inputs import LambdaInput, StrengthInput
 from theditor.panels.parts import describe
 from theditor.spline import Curve, formula, gradient, smoothed
 
-LambdaDialog = Callable[[Document, Selection, QWidget], PreviewDialog]
-
 _FORMULA_TIP = "A formula in i, n and λ, such as sin(i/3), λ + 0.1 or 0 if i < 4 else 1"
 
 
