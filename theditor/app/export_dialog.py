@@ -22,6 +22,7 @@ from theditor.app.export_preview import ExportPreview
 from theditor.app.problem_line import ProblemLine
 from theditor.drawing import Drawing
 from theditor.exchange import FORMATS, PARTS, Options, writable
+from theditor.exchange.options import PAGE, PIXELS
 from theditor.exchange.scene import PRINTED
 from theditor.panels.live_inputs import LiveField
 from theditor.panels.parts import GAP, MARGIN, ComboBox, Paragraph, describe, row
@@ -39,7 +40,7 @@ class _Asked(NamedTuple):
     unit: str = "mm"
     usual: str = ""
     """The size of its own choice."""
-    size: float = 120.0
+    size: float = PAGE
 
 
 _ASKED: Final[dict[str, _Asked]] = {
@@ -49,20 +50,24 @@ _ASKED: Final[dict[str, _Asked]] = {
         _PICTURE,
         usual="1 mm for each unit",
     ),
-    ".pdf": _Asked("One page in cubic Béziers, for papers and printers.", _PICTURE, usual="120 mm long"),
+    ".pdf": _Asked(
+        "One page in cubic Béziers, for papers and printers.", _PICTURE, usual=f"{PAGE:g} mm long"
+    ),
     ".png": _Asked(
         "Pixels, for slides and web pages.",
         _PICTURE | {"dpi", "ground"},
         unit="pixels",
-        usual="1600 pixels long",
-        size=1600.0,
+        usual=f"{PIXELS:g} pixels long",
+        size=PIXELS,
     ),
     ".dxf": _Asked(
         "For CAD programs: ellipse and hyperbola arcs exactly, other curves as cubic splines, a layer for each.",
         frozenset({"tolerance"}),
     ),
     ".tex": _Asked(
-        "A TikZ picture for papers, whose labels TeX sets in its own fonts.", _PICTURE, usual="120 mm long"
+        "A TikZ picture for papers, whose labels TeX sets in its own fonts.",
+        _PICTURE,
+        usual=f"{PAGE:g} mm long",
     ),
     ".csv": _Asked(
         "Points along each curve, a row each, for spreadsheets and programs.",

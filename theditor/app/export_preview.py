@@ -12,7 +12,8 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from theditor.drawing import Drawing, DrawingError
 from theditor.exchange import Options, write
-from theditor.exchange.scene import ORDINARY, box, visible
+from theditor.exchange.options import PAGE, PIXELS
+from theditor.exchange.scene import INCH, ORDINARY, box, visible
 from theditor.spline import projected
 
 SIDE: Final = 240
@@ -20,10 +21,7 @@ SIDE: Final = 240
 MOST: Final = 2000
 """Drawings of more segments are not shown, which would take long."""
 _ROWS: Final = 10
-_USUAL: Final = {".pdf": 120.0, ".tex": 120.0}  # longer side in mm
-_PIXELS: Final = 1600.0
 _EDGE: Final = 8
-_INCH: Final = 25.4
 
 
 class ExportPreview(QLabel):
@@ -70,11 +68,13 @@ class ExportPreview(QLabel):
         if options.scale:
             length = options.scale * self._extent
         elif suffix == ".png":
-            length = (options.size or _PIXELS) / options.dpi * _INCH
+            length = (options.size or PIXELS) / options.dpi * INCH
+        elif suffix in (".pdf", ".tex"):
+            length = options.size or PAGE
         else:
-            length = options.size or _USUAL.get(suffix) or float(np.clip(self._extent, *ORDINARY))
+            length = options.size or float(np.clip(self._extent, *ORDINARY))
         pixels = SIDE * self.devicePixelRatioF()
-        dpi = min(max(pixels / length * _INCH, 1.0), 10_000.0)
+        dpi = min(max(pixels / length * INCH, 1.0), 10_000.0)
         return replace(options, size=pixels, scale=None, dpi=dpi, transparent=False)
 
     def _show_picture(self, data: bytes) -> None:

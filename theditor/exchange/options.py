@@ -15,6 +15,10 @@ Progress = Callable[[float], None]
 PARTS: Final = ("polygon", "points", "labels", "comb")
 """What a picture can show besides the curves."""
 
+PAGE: Final = 120.0
+"""Longer side of PDF and TikZ pictures in mm, unless one is asked for."""
+PIXELS: Final = 1600.0
+"""The same of PNG, in pixels."""
 MOST_PIXELS: Final = 15_000
 """Longer side of the largest PNG."""
 _MOST_SAMPLES: Final = 100_000

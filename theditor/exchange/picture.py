@@ -25,20 +25,29 @@ from PySide6.QtGui import (
 )
 
 from theditor.drawing import Drawing, DrawingError
-from theditor.exchange.options import DEFAULTS, MOST_PIXELS, Options, Written
-from theditor.exchange.scene import BLACK, COMB, LABEL, POINT, POLYGON, THIN, Figure, Scene, Stroke, scene
+from theditor.exchange.options import DEFAULTS, MOST_PIXELS, PAGE, PIXELS, Options, Written
+from theditor.exchange.scene import (
+    BLACK,
+    COMB,
+    INCH,
+    LABEL,
+    POINT,
+    POLYGON,
+    THIN,
+    Figure,
+    Scene,
+    Stroke,
+    scene,
+)
 from theditor.spline import Outline, Piece
 
 Floats = NDArray[np.float64]
 
-_PIXELS: Final = 1600
-_PDF_SIZE: Final = 120.0
 _PDF_SMALLEST: Final = 1.0
 _PDF_LARGEST: Final = 5000.0  # the format ends at 200 inches
 _PDF_DPI: Final = 1200
 _ID: Final = "{d2c1a2c4-6e0c-4d7e-9a55-5d1f5c0b7a11}"
 _TIMES: Final = re.compile(rb'/(?:CreationDate|ModDate) \(D:[^)]*\)|xmp:\w+Date="[^"]*"')
-_INCH: Final = 25.4
 _FAMILIES: Final = ("Times New Roman", "Times", "Liberation Serif", "DejaVu Serif", "serif")
 
 
@@ -51,8 +60,8 @@ def write_png(drawing: Drawing, options: Options = DEFAULTS) -> Written:
         If it would have too many pixels.
     """
     _application()
-    scale = options.dpi / _INCH
-    shown = scene(drawing, options, size=(options.size or _PIXELS) / scale, arcs=False)
+    scale = options.dpi / INCH
+    shown = scene(drawing, options, size=(options.size or PIXELS) / scale, arcs=False)
     longest = max(shown.size) * scale
     if longest > MOST_PIXELS + 0.5:
         raise DrawingError(
@@ -65,8 +74,8 @@ def write_png(drawing: Drawing, options: Options = DEFAULTS) -> Written:
             f"There is not enough memory for {width} × {height} pixels: ask for a smaller size."
         )
     image.fill(Qt.GlobalColor.transparent if options.transparent else Qt.GlobalColor.white)
-    image.setDotsPerMeterX(round(options.dpi / _INCH * 1000))
-    image.setDotsPerMeterY(round(options.dpi / _INCH * 1000))
+    image.setDotsPerMeterX(round(options.dpi / INCH * 1000))
+    image.setDotsPerMeterY(round(options.dpi / INCH * 1000))
     painter = QPainter(image)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     _paint(painter, shown, scale, options.print_style)
@@ -87,7 +96,7 @@ def write_pdf(drawing: Drawing, options: Options = DEFAULTS) -> Written:
         If the page would be larger or smaller than the format allows.
     """
     _application()
-    shown = scene(drawing, options, size=options.size or _PDF_SIZE, arcs=False)
+    shown = scene(drawing, options, size=options.size or PAGE, arcs=False)
     if not _PDF_SMALLEST <= max(shown.size) <= _PDF_LARGEST:
         raise DrawingError(
             f"A PDF page must be {_PDF_SMALLEST:g} to {_PDF_LARGEST:g} mm long, not {max(shown.size):.6g} mm: "
@@ -102,7 +111,7 @@ def write_pdf(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     writer.setCreator("theditor")
     writer.setDocumentId(QUuid(_ID))
     painter = QPainter(writer)
-    _paint(painter, shown, _PDF_DPI / _INCH, options.print_style)
+    _paint(painter, shown, _PDF_DPI / INCH, options.print_style)
     painter.end()
     # Without the time the same drawing gives the same bytes; blanks keep every offset in the file.
     data = _TIMES.sub(lambda found: b" " * len(found[0]), bytes(buffer.data().data()))

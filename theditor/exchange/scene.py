@@ -17,7 +17,9 @@ from theditor.spline.numerals import counted
 
 Floats = NDArray[np.float64]
 
-MM_PER_PIXEL: Final = 25.4 / 96
+INCH: Final = 25.4
+"""In mm."""
+MM_PER_PIXEL: Final = INCH / 96
 """Widths of curves are in pixels of 1/96 inch."""
 ORDINARY: Final = (120.0, 1200.0)
 """A picture at a size of its own choice that is shorter or longer than this, in mm, has lines in proportion."""

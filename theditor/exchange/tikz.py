@@ -9,13 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from theditor.drawing import Drawing, DrawingError
-from theditor.exchange.options import DEFAULTS, Options, Written
+from theditor.exchange.options import DEFAULTS, PAGE, Options, Written
 from theditor.exchange.scene import BLACK, COMB, POINT, POLYGON, THIN, Figure, Scene, Stroke, scene
 from theditor.spline import Outline, Piece
 
 Floats = NDArray[np.float64]
 
-_SIZE: Final = 120.0
 _LARGEST: Final = 5000.0  # TeX has no lengths of more than some 5.7 m
 _ROUNDING: Final = 0.75e-6  # mm, of numbers with 6 decimals; TeX keeps fewer
 
@@ -31,7 +30,7 @@ def write(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     DrawingError
         If the picture is larger than TeX can measure.
     """
-    shown = scene(drawing, options, size=options.size or _SIZE, arcs=False)
+    shown = scene(drawing, options, size=options.size or PAGE, arcs=False)
     if max(shown.size) > _LARGEST:
         raise DrawingError(f"TeX cannot draw pictures longer than {_LARGEST:g} mm: ask for a smaller size.")
     width, height = shown.size
