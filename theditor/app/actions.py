@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QKeySequence
 
 from theditor.app import dialogs
-from theditor.app.command import Command, can_edit, can_edit_any, has_curve
+from theditor.app.command import Command, can_edit_any, has_curve
 from theditor.app.curve_commands import curve_commands
 from theditor.app.point_commands import point_commands
+from theditor.app.select_commands import select_commands
 from theditor.app.view_commands import view_commands
 from theditor.spline import KNOWN, Known
 
@@ -30,12 +31,6 @@ def can_undo(window: MainWindow) -> bool:
 def can_redo(window: MainWindow) -> bool:
     """Needs a step that was taken back."""
     return window.document.undo_stack.canRedo()
-
-
-def has_selection(window: MainWindow) -> bool:
-    """Needs a selected point or segment, or a curve beside the current one."""
-    selection = window.selection
-    return bool(selection.count or selection.segments or len(selection.curves) > 1)
 
 
 def commands(window: MainWindow) -> tuple[Command, ...]:
@@ -203,45 +198,7 @@ def commands(window: MainWindow) -> tuple[Command, ...]:
             ("Ctrl+Alt+V",),
             places=("ground",),
         ),
-        Command(
-            "select_all",
-            "Edit",
-            "Select &all",
-            "Select all control points of the selected curves",
-            window.select_all,
-            (_Standard.SelectAll,),
-            has_curve,
-            places=("point", "segment", "ground"),
-            gap=True,
-        ),
-        Command(
-            "select_all_curves",
-            "Edit",
-            "Select all on all &curves",
-            "Select all control points of every curve that is visible and not locked",
-            window.select_all_curves,
-            ("Ctrl+Alt+A",),
-            has_curve,
-        ),
-        Command(
-            "select_none",
-            "Edit",
-            "Select &none",
-            "Select no control point and no segment",
-            window.select_none,
-            ("Ctrl+Shift+A",),
-            has_selection,
-        ),
-        Command(
-            "invert",
-            "Edit",
-            "&Invert selection",
-            "Select just those control points of the selected curves that are not selected",
-            window.invert_selection,
-            ("Ctrl+Shift+I",),
-            can_edit,
-            places=("point",),
-        ),
+        *select_commands(window),
         Command(
             "preferences",
             "Edit",

@@ -13,7 +13,7 @@ from theditor.app.problems import log
 from theditor.app.recent import recent_files, remember_file
 from theditor.app.tour import lead
 from theditor.app.view import keep_view, show_kept_view
-from theditor.drawing import Drawing, DrawingError, load, unreadable
+from theditor.drawing import Drawing, DrawingError, load, shown, unreadable
 from theditor.model.kept_work import KeptWork
 from theditor.resources import gallery
 
@@ -142,7 +142,7 @@ class Files:
         """Fill a menu with the files used last."""
         menu.clear()
         for path in recent_files():
-            action = menu.addAction(str(path).replace("&", "&&"))
+            action = menu.addAction(shown(path).replace("&", "&&"))
             action.triggered.connect(
                 lambda _checked=False, path=path: self.may_discard() and self.open_path(path)
             )
@@ -173,5 +173,5 @@ class Files:
             self.report(error)
             return False
         remember_file(path)
-        self._window.announce(f"Saved {path}")
+        self._window.announce(f"Saved {shown(path)}")
         return True

@@ -34,7 +34,6 @@ from theditor.app.windows import open_windows, same_file
 from theditor.app.work import Work
 from theditor.app.work_card import WorkCard
 from theditor.canvas import Canvas, Pointed
-from theditor.canvas.held import every_point
 from theditor.drawing import Item
 from theditor.model import Document, Selection
 from theditor.model.recovery import Recovery
@@ -301,28 +300,6 @@ class MainWindow(QMainWindow):
             self.shape.set_mode(mode)
         else:
             self.segments.set_mode(mode)
-
-    def select_all(self) -> None:
-        """Select every control point of the selected curves or, in the list of curves, every curve."""
-        if self.curves.list.hasFocus():
-            self.curves.list.selectAll()
-            return
-        chosen = {**self.selection.chosen, **every_point(self.document.drawing, self.selection.curves)}
-        self.selection.select_across(chosen, segments=())
-
-    def select_all_curves(self) -> None:
-        """Select every control point of all curves that are visible and not locked."""
-        self.selection.select_across(every_point(self.document.drawing), segments=())
-
-    def select_none(self) -> None:
-        """Select no point and no segment."""
-        self.selection.select(points=(), segments=())
-
-    def invert_selection(self) -> None:
-        """Select just those control points of the selected curves that are not selected."""
-        every, chosen = every_point(self.document.drawing), self.selection.chosen
-        new = {i: np.delete(every[i], of) for i, of in chosen.items() if i in every}
-        self.selection.select_across({**chosen, **new}, segments=())
 
     def add_curve(self) -> None:
         """Add a clamped cubic in the middle of the view, to be dragged into shape, and make it current."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from theditor.app.command import Command, can_edit, plain
 from theditor.canvas import arrange, pieces, points
+from theditor.model.words import sentence
 
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
@@ -63,8 +64,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             try:
                 window.announce(edit())
             except ValueError as error:
-                reason = str(error)
-                window.announce(f"{reason[0].upper()}{reason[1:]}.")
+                window.announce(sentence(str(error)))
 
         return run
 
