@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from theditor.model.arithmetic import calculated, number_in
-from theditor.model.words import MODE_LETTERS, counted, exact, indexed
+from theditor.model.words import MODE_LETTERS, counted, exact, indexed, sentence
 from theditor.spline import Curve, Mode
 from theditor.spline.distinct import distinct
 
@@ -102,8 +102,7 @@ def _with_numbers(curve: Curve, column: int, rows: Sequence[int], numbers: Seque
         points[:, column] = numbers
         return curve.with_points(where, points)
     except ValueError as error:
-        sentence = str(error)
-        raise ValueError(f"{sentence[0].upper()}{sentence[1:]}.") from None
+        raise ValueError(sentence(str(error))) from None
 
 
 def copied(curve: Curve, cells: Iterable[tuple[int, NDArray[np.intp]]]) -> str:

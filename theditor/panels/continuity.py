@@ -8,6 +8,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QTableView, QVBoxLayout, QWidget
 
 from theditor.model import Document, Selection, unbreakable
+from theditor.model.words import sentence
 from theditor.panels.continuity_model import ContinuityModel
 from theditor.panels.parts import MARGIN, describe, heading, tabular
 from theditor.spline import Curve, changed_segments, continuity
@@ -91,7 +92,7 @@ class ContinuityPanel(QWidget):
             self._following = True
             self.model.show_report(report, rows)
             self._following = False
-            self.heading.setText(EMPTY if report is None else _sentence(summary(report)))
+            self.heading.setText(EMPTY if report is None else sentence(summary(report)))
         self._mark_row()
 
     def _takes_long(self, curve: Curve | None) -> bool:
@@ -171,7 +172,3 @@ def _table(model: ContinuityModel) -> QTableView:
     columns.setMinimumSectionSize(min(_WIDTHS))
     describe(table, "Joints", _TIP)
     return table
-
-
-def _sentence(text: str) -> str:
-    return text[0].upper() + text[1:] + "."
