@@ -182,7 +182,7 @@ def test_a_file_that_cannot_be_written_is_told_and_nothing_is_lost(window, dialo
     drawing = window.document.drawing
     chosen(tmp_path / "gone" / "figure.svg")
     dialog.button.click()
-    qtbot.waitUntil(lambda: "cannot be saved: there is no such file or folder" in window.messages.text)
+    qtbot.waitUntil(lambda: "cannot be saved: there is no folder" in window.messages.text)
     assert "figure.svg" in window.messages.text
     assert window.document.drawing is drawing
 

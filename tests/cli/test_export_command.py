@@ -106,9 +106,11 @@ def test_what_does_not_go_together_is_refused_before_anything_is_written(capsys,
     assert refused(copy, HELIX, "-o", "-", "--format", "svg") == (
         "several drawings need a folder to be written to"
     )
-    assert refused(copy, HELIX, "-o", tmp_path / "x") == f"{tmp_path / 'x'} is to be a folder: say --format"
+    assert refused(copy, HELIX, "-o", tmp_path / "x") == (
+        f"{tmp_path / 'x'} is to be a folder: say --format, one of {known}"
+    )
     assert refused(copy, FIGURE_10, "-o", tmp_path / "x", "--format", "svg") == (
-        f"several drawings would be written to {tmp_path / 'x' / 'figure-10.svg'}"
+        f"several drawings would be written to {tmp_path / 'x' / 'figure-10.svg'}: export each to another folder"
     )
     assert "standard input has no name" in refused("-", copy, "-o", tmp_path / "x", "--format", "svg")
     assert refused(copy, "-o", copy, "--format", "svg") == f"{copy} is the drawing itself: name another OUT"
@@ -125,7 +127,7 @@ def test_what_cannot_be_written_is_told_in_a_sentence(capsys, tmp_path):
     assert main(arguments) == 1
     assert capsys.readouterr().err == f"theditor: {tmp_path / 'file'} cannot be made a folder: File exists.\n"
     assert main(["export", str(FIGURE_10), "-o", str(tmp_path / "no" / "a.svg")]) == 1
-    assert capsys.readouterr().err.endswith("a.svg cannot be saved: there is no such file or folder.\n")
+    assert capsys.readouterr().err.endswith(f"a.svg cannot be saved: there is no folder {tmp_path / 'no'}.\n")
 
 
 @pytest.fixture

@@ -117,7 +117,10 @@ def test_what_cannot_be_read_or_written_is_named_with_its_cause(tmp_path):
     assert refusal(load, tmp_path) == f"{tmp_path} cannot be read: it is a folder."
     assert refusal(save, OLD, tmp_path) == f"{tmp_path} cannot be saved: it is a folder."
     nowhere = tmp_path / "nowhere" / "a.json"
-    assert refusal(save, OLD, nowhere) == f"{nowhere} cannot be saved: there is no such file or folder."
+    assert (
+        refusal(save, OLD, nowhere)
+        == f"{nowhere} cannot be saved: there is no folder {tmp_path / 'nowhere'}."
+    )
     large = tmp_path / "large.json"
     with large.open("wb") as stream:
         stream.truncate(128 * 2**20 + 1)

@@ -104,7 +104,7 @@ def _planned(files: Sequence[str], out: str, wanted: str | None) -> tuple[str, l
         suffix, targets = chosen_suffix(wanted, out, writable()), [out]
     else:
         if wanted is None:
-            raise UsageError(f"{shown(out)} is to be a folder: say --format")
+            raise UsageError(f"{shown(out)} is to be a folder: say --format, one of {names(writable())}")
         suffix = chosen_suffix(wanted, out, writable())
         targets = _in_folder(files, Path(out), suffix)
     _refuse_confusion(files, targets)
@@ -120,7 +120,8 @@ def _in_folder(files: Sequence[str], folder: Path, suffix: str) -> list[str]:
     names = [Path(file).stem + suffix for file in files]
     for name in names:
         if names.count(name) > 1:
-            raise UsageError(f"several drawings would be written to {shown(folder / name)}")
+            place = shown(folder / name)
+            raise UsageError(f"several drawings would be written to {place}: export each to another folder")
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -149,7 +149,11 @@ def write_atomically(path: str | os.PathLike[str], data: bytes) -> None:
     try:
         _replace(Path(os.path.realpath(path)), data)
     except (OSError, ValueError) as error:  # ValueError: no path can be spelt so
-        raise DrawingError(f"{shown(path)} cannot be saved: {_cause(error)}.") from error
+        cause = _cause(error)
+        if isinstance(error, FileNotFoundError):
+            folder = os.path.dirname(os.path.realpath(path))
+            cause = cause if os.path.isdir(folder) else f"there is no folder {shown(folder)}"
+        raise DrawingError(f"{shown(path)} cannot be saved: {cause}.") from error
 
 
 def shown(path: str | os.PathLike[str]) -> str:
