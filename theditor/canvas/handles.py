@@ -90,7 +90,8 @@ def _crowd(points: Floats, viewport: Viewport) -> float:
 def _spacing(points: Floats, viewport: Viewport) -> float:
     """The usual distance in pixels from one point to the next, as some of them tell."""
     step = 1 + len(points) // PROBES
-    return float(np.median(np.hypot(*(points[1::step] - points[:-1:step]).T))) * viewport.scale
+    lengths = np.sort(np.hypot(*(points[1::step] - points[:-1:step]).T))
+    return float(lengths[len(lengths) // 2]) * viewport.scale  # np.median would load masked arrays first
 
 
 def points_inside(points: Floats, viewport: Viewport, margin: float = 12.0) -> Ints:

@@ -28,6 +28,7 @@ def open_window(files: Sequence[str]) -> int:
         )
     gc.disable()  # nothing that loading makes is garbage: looking for it takes a tenth of the time, now and later
     try:
+        import theditor.exchange  # before Qt, which reads the source of each module that is loaded after it
         from theditor.app.main import run
     except ImportError as error:
         return fail(missing_library(error))
