@@ -91,7 +91,7 @@ def _spacing(points: Floats, viewport: Viewport) -> float:
     """The usual distance in pixels from one point to the next, as some of them tell."""
     step = 1 + len(points) // PROBES
     lengths = np.sort(np.hypot(*(points[1::step] - points[:-1:step]).T))
-    return float(lengths[len(lengths) // 2]) * viewport.scale  # np.median would load masked arrays first
+    return float(lengths[len(lengths) // 2]) * viewport.scale  # np.median loads numpy.ma
 
 
 def points_inside(points: Floats, viewport: Viewport, margin: float = 12.0) -> Ints:

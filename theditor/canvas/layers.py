@@ -43,6 +43,7 @@ from theditor.canvas.viewport import Area, Viewport
 from theditor.drawing import Drawing
 from theditor.model import Colours
 from theditor.spline import Curve
+from theditor.spline.distinct import distinct
 
 MOST_ALIVE = 20_000
 """When more segments than this move, they are painted like those that stand still."""
@@ -115,8 +116,8 @@ class Layers:
         if still.current in self._details and frame.shown.labels:
             part = self._alive.get(still.current) or no_part(seen(still.current))
             if self._details[still.current].points <= MOST + len(part.points):
-                segments = self._curves.seen(still.current, frame.plane)
-                paint_names(painter, frame, seen(still.current), np.union1d(segments, part.segments))
+                segments = np.concatenate([self._curves.seen(still.current, frame.plane), part.segments])
+                paint_names(painter, frame, seen(still.current), distinct(segments))
 
     def _keep(self, still: Still, alive: dict[int, Part], frame: Frame) -> None:
         """Paint the kept pictures anew unless they show what stands still, without what is alive."""

@@ -6,6 +6,7 @@ import gc
 import os
 import sys
 from collections.abc import Sequence
+from importlib import import_module
 from pathlib import Path
 
 from theditor.cli import fail
@@ -28,7 +29,7 @@ def open_window(files: Sequence[str]) -> int:
         )
     gc.disable()  # nothing that loading makes is garbage: looking for it takes a tenth of the time, now and later
     try:
-        import theditor.exchange  # before Qt, which reads the source of each module that is loaded after it
+        import_module("theditor.exchange")  # before Qt, which reads the source of what is loaded after it
         from theditor.app.main import run
     except ImportError as error:
         return fail(missing_library(error))
