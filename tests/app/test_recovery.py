@@ -142,7 +142,7 @@ def test_each_work_is_recovered_in_a_window_of_its_own(window, hand, qtbot, tmp_
     assert (window.document.drawing, window.document.path) == (two, tmp_path / "two.json")
     assert (other.document.drawing, other.document.path) == (one, None)
     assert other.isWindowModified()
-    assert "as it was kept" in other.messages.text
+    assert "is recovered" in other.messages.text
 
 
 def test_work_on_a_file_that_was_opened_anew_comes_into_its_window(window, hand, tmp_path):

@@ -109,7 +109,7 @@ class Files:
         window.recovery.adopt(work)
         show_kept_view(about.path, window.canvas)
         if not window.messages.text:
-            window.messages.tell(f"This is “{window.document.title}” as it was kept, not saved yet.")
+            window.messages.tell(f"“{window.document.title}” is recovered, and not saved yet.")
 
     def expect_end(self) -> None:
         """Keep what is not saved for the next start; closing asks no more, unless something changes until then."""
