@@ -19,9 +19,11 @@ Integrand = Callable[[Derivatives], Floats]
 """What is integrated, (n, k), as a function of the curve's derivatives."""
 
 # Gauss–Lobatto, so that no cusp near the end of an interval, beyond its outermost node, goes unseen.
-_LEGENDRE = np.polynomial.Legendre.basis(9)
-_NODES = np.concatenate(([-1.0], np.sort(_LEGENDRE.deriv().roots()), [1.0]))
-_WEIGHTS = 2 / (90 * _LEGENDRE(_NODES) ** 2)
+# As numbers, since numpy.polynomial takes longer to load than all else here.
+_RIGHT = np.array([0.16527895766638703, 0.4779249498104445, 0.738773865105505, 0.9195339081664589, 1.0])
+_NODES = np.concatenate((-_RIGHT[::-1], _RIGHT))
+_HALF = np.array([0.32753976118389744, 0.2920426836796838, 0.22488934206312644, 0.13330599085107012, 1 / 45])
+_WEIGHTS = np.concatenate((_HALF[::-1], _HALF))
 _BLOCK = 4096
 _DEPTH = 50  # halvings: beyond them an integrand has no integral
 _MOST = 64  # parts of one segment open at a time
