@@ -258,6 +258,8 @@ def _paint_empty(painter: QPainter, frame: Frame) -> None:
     painter.setPen(QColor(frame.colours.secondary))
     painter.setFont(frame.font)
     room = QRectF(0, 0, frame.plane.width, frame.plane.height)
+    place = painter.boundingRect(room, Qt.AlignmentFlag.AlignCenter, EMPTY)
+    painter.fillRect(place, QColor(frame.colours.canvas))  # an axis goes through the middle
     painter.drawText(room, Qt.AlignmentFlag.AlignCenter, EMPTY)
 
 
