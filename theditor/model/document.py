@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import weakref
+from contextlib import suppress
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -48,6 +49,9 @@ class Document(QObject):
         self._run = 0
         self._jumping = False
         self.undo_stack = QUndoStack(self)
+        # Python clears circles in any order, and the stack would delete steps that are gone already: so it is
+        # emptied while all of them are there.
+        weakref.finalize(self, _empty, self.undo_stack).atexit = False
         self.undo_stack.indexChanged.connect(self._tell_step)
         self.undo_stack.cleanChanged.connect(self._tell_step)
 
@@ -267,6 +271,12 @@ class Document(QObject):
             self.break_run()
 
 
+def _empty(stack: QUndoStack) -> None:
+    with suppress(RuntimeError):  # Qt has deleted it before, steps and all
+        stack.blockSignals(True)
+        stack.clear()
+
+
 class _Replace(QUndoCommand):
     """The one kind of undo step: a change from one drawing to another, already shown when it is pushed."""
 
@@ -274,9 +284,7 @@ class _Replace(QUndoCommand):
 
     def __init__(self, document: Document, text: str, change: Change, key: object) -> None:
         super().__init__(text)
-        self._document = weakref.ref(
-            document
-        )  # a circle through Qt's stack must not be left to Python to clear
+        self._document = weakref.ref(document)  # the stack's steps outlive it by a moment
         self.change = change
         self.key = key
         self._shown = True
