@@ -50,7 +50,7 @@ def build_menus(window: MainWindow) -> dict[str, QAction]:
 def tint_icons(window: MainWindow) -> None:
     """Give the actions their icons, in the colours of the palette and sharp on every screen there is.
 
-    Those of the toolbar have theirs at once, the others when the window has been painted.
+    Those of the toolbar have theirs at once, the others as soon as events are dealt with.
     """
     ratios = sorted({screen.devicePixelRatio() for screen in QApplication.screens()})
 
