@@ -12,8 +12,8 @@ from PySide6.QtGui import QGuiApplication, QImage, QKeySequence, QPainter
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QApplication, QDockWidget
 
-from theditor.app.clipboard import LARGEST, OWN_TYPE, SVG_TYPE, carried
-from theditor.drawing import Drawing, Item, encode
+from theditor.app.clipboard import LARGEST, OWN_TYPE, SVG_TYPE, pictures
+from theditor.drawing import Drawing, Item, decode, encode
 from theditor.spline import Curve, bounds
 
 KEYS = QKeySequence.StandardKey
@@ -53,12 +53,14 @@ def test_copy_and_paste_puts_the_middle_at_the_pointer(window, hand, qtbot):
 
 ENDS = """
 from PySide6.QtGui import QGuiApplication
-from theditor.app.clipboard import carried
-from theditor.drawing import Item
+from theditor.app.clipboard import carried, pictures
+from theditor.drawing import Drawing, Item, encode
 from theditor.spline import Curve
 
 app = QGuiApplication([])
-QGuiApplication.clipboard().setMimeData(carried([Item(Curve([[0, 0], [1, 1], [2, 0], [3, 1]]))], 1.0))
+items = [Item(Curve([[0, 0], [1, 1], [2, 0], [3, 1]]))]
+made = pictures(items, 1.0, painted=True)
+QGuiApplication.clipboard().setMimeData(carried(encode(Drawing(items)), made))
 """
 
 
@@ -261,9 +263,23 @@ def test_names_and_far_away_giants_make_valid_pictures():
     curve = Curve([(1e12, -1e12), (-1e12, 1e12), (1e12, 1e12), (0, 0)], closed=True)
     small = Curve(np.full((4, 2), 1e12))
     for items in ([Item(curve, "<&>")], [Item(small)], [Item(curve, visible=False), Item(small)]):
-        root = ET.fromstring(bytes(carried(items, 1e6).data(SVG_TYPE).data()))
+        root = ET.fromstring(pictures(items, 1e6)[SVG_TYPE])
         assert float(root.get("width").removesuffix("mm")) * 96 / 25.4 <= LARGEST + 20
         assert [path.get("d")[-1] == "Z" for path in root.iter(PATH)] == [item.curve.closed for item in items]
+
+
+def test_the_picture_of_a_large_curve_follows_its_text(window, qtbot):
+    x = np.linspace(0, 3000, 3000)
+    window.document.apply("Draw", Drawing([Item(Curve(np.stack([x, np.sin(x)], axis=1)), "long")]))
+    window.actions_by_name["copy"].trigger()
+    assert decode(clipboard().mimeData().text().encode()) == window.document.drawing
+    qtbot.waitUntil(lambda: clipboard().mimeData().hasFormat(SVG_TYPE))
+    assert decode(clipboard().mimeData().text().encode()) == window.document.drawing
+    # What was copied elsewhere meanwhile stays.
+    window.actions_by_name["copy"].trigger()
+    clipboard().setText("sheep")
+    qtbot.waitUntil(lambda: not window.work.jobs)
+    assert clipboard().mimeData().formats() == ["text/plain"]
 
 
 def test_what_other_programs_mark_as_ours_is_checked_like_a_file(window):

@@ -2,13 +2,16 @@
 
 import threading
 
+import numpy as np
 import pytest
 from hand import Hand
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QMessageBox
 
 from theditor.app.work_card import WorkCard
+from theditor.canvas import freehand
 from theditor.drawing import Drawing, DrawingError
+from theditor.model import reshape
 
 P5 = (1.0, 2.3130352854993315)
 
@@ -116,3 +119,107 @@ def test_errors_of_files_are_told_and_others_reported(window, qtbot):
         window.work.start("Reading", fail(ZeroDivisionError("nobody thought of that")), pytest.fail)
         qtbot.waitUntil(lambda: idle(window))
     assert [str(error) for _, error, _ in caught] == ["nobody thought of that"]
+
+
+@pytest.fixture
+def refitted(monkeypatch, held):
+    """A change of degree is long work, and goes on when it is let go."""
+    with_degree = reshape.with_degree
+
+    def wait(curve, degree):
+        held(lambda share: None)
+        return with_degree(curve, degree)
+
+    monkeypatch.setattr(reshape, "AT_ONCE", 0)
+    monkeypatch.setattr(reshape, "with_degree", wait)
+    return held
+
+
+def choose_degree(window, index):
+    window.curve.degree.setCurrentIndex(index)
+    window.curve.degree.activated.emit(index)
+
+
+def test_the_degree_of_a_large_curve_changes_beside_the_window(window, qtbot, refitted):
+    box, before = window.curve.degree, window.document.drawing
+    old = box.currentIndex()
+    choose_degree(window, 1 - old)
+    assert (window.document.drawing, box.currentIndex()) == (before, old)
+    window.selection.select(points=[2])
+    refitted.let_go()
+    qtbot.waitUntil(lambda: idle(window))
+    assert window.document.drawing[0].curve.degree == 5 - before[0].curve.degree
+    assert box.currentIndex() == 1 - old
+    assert "the shape changed by at most" in window.announced
+    window.document.undo()
+    assert window.document.drawing == before
+    assert box.currentIndex() == old
+
+
+def test_a_curve_that_was_edited_while_its_degree_was_to_change_stays_as_it_was_edited(
+    window, qtbot, refitted
+):
+    choose_degree(window, 1 - window.curve.degree.currentIndex())
+    Hand(window.canvas).drag(P5, (1.4, 2.0))
+    edited = window.document.drawing
+    refitted.let_go()
+    qtbot.waitUntil(lambda: idle(window))
+    assert window.document.drawing is edited
+    assert window.announced.endswith("changed meanwhile and stayed so: choose the degree again.")
+
+
+@pytest.fixture
+def scribble(window, monkeypatch, held):
+    """Draws a stroke that is fitted in long work, which goes on when it is let go."""
+    fit = freehand.fit
+
+    def wait(*args, **options):
+        held(lambda share: None)
+        return fit(*args, **options)
+
+    monkeypatch.setattr(freehand, "AT_ONCE", 0)
+    monkeypatch.setattr(freehand, "fit", wait)
+    window.canvas.use("freehand")
+
+    def draw(y):
+        x = np.linspace(-0.5, 1.5, 30)
+        hand = Hand(window.canvas)
+        hand.press((x[0], y))
+        for place in zip(x, y + 0.2 * np.sin(4 * x), strict=True):
+            hand.move(place)
+        hand.release(place)
+
+    return draw
+
+
+def test_a_long_stroke_is_seen_until_it_is_a_curve(window, qtbot, scribble, held):
+    scribble(0.5)
+    scribble(1.0)
+    assert len(window.document.drawing) == 1
+    waiting = window.canvas._frame().sketch.points
+    assert np.isnan(waiting).any(axis=1).sum() == 1  # two strokes
+    window.grab()  # paints them
+    held.let_go()
+    qtbot.waitUntil(lambda: idle(window))
+    assert len(window.document.drawing) == 3
+    assert window.canvas._frame().sketch is None
+    assert window.announced.startswith("Drew a curve of ")
+    window.document.undo()
+    window.document.undo()
+    assert len(window.document.drawing) == 1
+
+
+def test_a_stroke_that_is_called_off_is_gone_and_one_under_way_is_asked_about(
+    window, qtbot, scribble, held, answer
+):
+    asked = answer(QMessageBox.StandardButton.Cancel)
+    scribble(0.5)
+    window.work.cancel(window.work.jobs[0])
+    assert window.canvas._frame().sketch is None
+    assert window.close()
+    window.show()
+    scribble(1.0)
+    threading.Timer(0.05, held.let_go).start()
+    assert not window.close()
+    assert len(asked) == 1
+    assert len(window.document.drawing) == 2

@@ -112,7 +112,9 @@ def test_closing_and_opening_keep_the_curve():
 def test_the_degree_changes_with_the_shape_kept_and_its_change_told():
     cubic = Curve(POINTS, ends="clamped")
     document, selection = opened_with(cubic)
-    text = pieces.change_degree(document, selection)
+    said = []
+    pieces.change_degree(document, selection, said.append)
+    (text,) = said
     quadratic = document.drawing[0].curve
     assert quadratic.degree == 2
     told = float(text.removeprefix("Made “a” quadratic; the shape changed by at most "))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,10 +26,11 @@ if TYPE_CHECKING:
 
 OWN_TYPE = "application/vnd.theditor+json"
 SVG_TYPE = "image/svg+xml"
+PNG_TYPE = "image/png"
 LARGEST = 4000.0
 """Size in pixels of the largest picture."""
 MOST_PAINTED = 2000
-"""Curves of more segments than this are not painted as pixels too, which would take long."""
+"""Curves of more segments than this are not painted as pixels too, and drawn as lines in long work."""
 _PICTURES = (SVG_TYPE, "image/x-inkscape-svg")
 _WHAT = (
     "copy a curve, a drawing's text (JSON), an SVG picture or its path data, "
@@ -54,14 +55,24 @@ class Clipboard:
             self._copy(self._window.selection.curves)
 
     def _copy(self, curves: Sequence[int]) -> str:
-        """Copy some curves; returns what to call them."""
-        window = self._window
+        """Copy some curves; returns what to call them. The pictures of large ones follow when they are made."""
+        window, clipboard = self._window, QGuiApplication.clipboard()
         window.document.settle()
-        items = [window.document.drawing[i] for i in curves]
+        items, scale = [window.document.drawing[i] for i in curves], window.canvas.plane.scale
         if not items:
             return ""
-        QGuiApplication.clipboard().setMimeData(carried(items, window.canvas.plane.scale))
         named, them = (f"“{items[0].name}”", "it") if len(items) == 1 else (f"{len(items)} curves", "them")
+        text = encode(Drawing(items))
+        if sum(item.curve.segment_count for item in items) <= MOST_PAINTED:
+            clipboard.setMimeData(carried(text, pictures(items, scale, painted=True)))
+        else:
+
+            def add(made: Mapping[str, bytes]) -> None:
+                if clipboard.mimeData().data(OWN_TYPE).data() == text:  # nothing else was copied since
+                    clipboard.setMimeData(carried(text, made))
+
+            clipboard.setMimeData(carried(text, {}))
+            window.work.start(f"Copying {named} as a picture", lambda _: pictures(items, scale), add)
         window.announce(f"Copied {named}: paste {them} here, as text, or into a drawing program.")
         return named
 
@@ -139,27 +150,36 @@ class Clipboard:
         self._pointer = pointed.position
 
 
-def carried(items: Sequence[Item], scale: float) -> QMimeData:
-    """Return curves as the clipboard carries them: the drawing's file, the same as text, and pictures.
+def carried(text: bytes, made: Mapping[str, bytes]) -> QMimeData:
+    """Return curves as the clipboard carries them: the drawing's file, the same as text, and pictures by type."""
+    data = _lasting()
+    data.setData(OWN_TYPE, text)
+    data.setText(text.decode())
+    for kind, picture in made.items():
+        if kind == PNG_TYPE:
+            data.setImageData(QImage.fromData(picture))
+        else:
+            data.setData(kind, picture)
+    return data
+
+
+def pictures(items: Sequence[Item], scale: float, *, painted: bool = False) -> dict[str, bytes]:
+    """Return pictures of curves by their type: lines and, if asked for, pixels.
 
     Parameters
     ----------
     scale
         Pixels of the picture per unit.
     """
-    data = _lasting()
-    text = encode(Drawing(items))
-    data.setData(OWN_TYPE, text)
-    data.setText(text.decode())
     shown = Drawing(item.with_(visible=True) for item in items)
     extent = float(
         np.ptp(np.concatenate([projected(item.curve).control_points for item in items]), axis=0).max()
     )
     options = Options(scale=min(scale, LARGEST / extent if extent else scale) * MM_PER_PIXEL)
-    data.setData(SVG_TYPE, write(shown, ".svg", options).data)
-    if sum(item.curve.segment_count for item in items) <= MOST_PAINTED:
-        data.setImageData(QImage.fromData(write(shown, ".png", options).data))
-    return data
+    made = {SVG_TYPE: write(shown, ".svg", options).data}
+    if painted:
+        made[PNG_TYPE] = write(shown, ".png", options).data
+    return made
 
 
 def _lasting() -> QMimeData:

@@ -96,6 +96,7 @@ class Files:
     def may_discard(self) -> bool:
         """Whether the drawing may go: nothing is unsaved, or the user saved it or gave it up."""
         self._settle()
+        self._window.work.settle()
         document = self._window.document
         if document.is_clean or document.drawing is self._ended_with:
             return True
@@ -114,6 +115,7 @@ class Files:
     def expect_end(self) -> None:
         """Keep what is not saved for the next start; closing asks no more, unless something changes until then."""
         self._settle()
+        self._window.work.settle()
         self._ended_with = self._window.document.drawing
         self._window.recovery.keep()
         self._window.recovery.flush()

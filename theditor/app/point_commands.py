@@ -248,7 +248,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             "Curve/Pieces",
             "Chan&ge degree",
             "Make a cubic curve quadratic, a quadratic one cubic; the shape is kept as well as possible",
-            said(lambda: pieces.change_degree(*model)),
+            lambda: pieces.change_degree(*model, window.announce),
             enabled=can_edit,
             places=("curve",),
         ),

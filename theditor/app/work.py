@@ -8,19 +8,17 @@ from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
 from threading import Thread
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
 from theditor.app.problems import log
 from theditor.drawing import DrawingError
-from theditor.exchange import Progress
+from theditor.model.worker import Report, Result
 
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
-
-Result = TypeVar("Result")
 
 PATIENCE = 2.0
 """Seconds that a closing window waits for work to end."""
@@ -38,10 +36,15 @@ class Job(QObject):
     """Sent from its thread."""
 
     def __init__(
-        self, words: str, function: Callable[[Progress], Any], done: Callable[[Any], object], bound: bool
+        self,
+        words: str,
+        function: Callable[[Report], Any],
+        done: Callable[[Any], object],
+        otherwise: Callable[[], object] | None,
+        bound: bool,
     ) -> None:
         super().__init__()
-        self.words, self.done, self.bound = words, done, bound
+        self.words, self.done, self.otherwise, self.bound = words, done, otherwise, bound
         self.share = 0.0
         self.cancelled = False
         self.result: Any = None
@@ -74,6 +77,7 @@ class Work(QObject):
         self._window = window
         self._jobs: list[Job] = []  # until their threads have ended: Qt's objects must not end in another one
         window.document.leaving.connect(self._leave_drawing)
+        window.document.worker = self
 
     @property
     def jobs(self) -> tuple[Job, ...]:
@@ -83,27 +87,18 @@ class Work(QObject):
     def start(
         self,
         words: str,
-        function: Callable[[Progress], Result],
+        function: Callable[[Report], Result],
         done: Callable[[Result], object],
+        otherwise: Callable[[], object] | None = None,
         *,
         bound: bool = False,
     ) -> None:
-        """Call a function in a thread, and hand its result to `done` in this one.
+        """Call a function in a thread, and hand its result to `done` in this one: see `Worker.start`.
 
-        That waits until no hand is on the drawing. A `DrawingError` is told in the window; other errors go to
-        `sys.excepthook`.
-
-        Parameters
-        ----------
-        words
-            What is going on: ``"Importing “house.svg”"``.
-        function
-            Must touch neither window nor document: immutable values alone. It is given a `Progress`, to be told
-            now and then the share that is done; that raises once the work is called off.
-        bound
-            Whether the work is for the drawing at hand, and is called off when another one takes its place.
+        That waits until no hand is on the drawing. A report raises once the work is called off. A
+        `DrawingError` is told in the window; other errors go to `sys.excepthook`.
         """
-        job = Job(words, function, done, bound)
+        job = Job(words, function, done, otherwise, bound)
         job.ended.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
         self._jobs.append(job)
         self.changed.emit()
@@ -115,6 +110,8 @@ class Work(QObject):
             job.cancelled = True
             self._window.announce(f"{job.words} was cancelled.")
             self.changed.emit()
+            if job.otherwise is not None:
+                job.otherwise()
 
     def stop(self) -> None:
         """The window closes: call off what was for its drawing, and wait a little for the rest, files."""
@@ -127,12 +124,23 @@ class Work(QObject):
                 log.warning("%s: %s", job.words, job.error)
         self.changed.emit()
 
+    def settle(self) -> None:
+        """Wait a little for what the drawing at hand is to get: it belongs to it when it is asked about."""
+        end = time.monotonic() + PATIENCE
+        for job in self.jobs:
+            if job.bound:
+                job.task.join(max(end - time.monotonic(), 0.0))
+                if not job.task.is_alive():
+                    self._deliver(job)
+
     def _leave_drawing(self) -> None:
         for job in self.jobs:
             if job.bound:
                 self.cancel(job)
 
     def _deliver(self, job: Job) -> None:
+        if job not in self._jobs:
+            return
         at_hand = self._window.document.before is not None or QApplication.mouseButtons()
         if at_hand and not job.cancelled:
             QTimer.singleShot(_PAUSE, self, partial(self._deliver, job))
@@ -144,7 +152,10 @@ class Work(QObject):
         self.changed.emit()
         if job.error is None:
             job.done(job.result)
-        elif isinstance(job.error, DrawingError):
+            return
+        if job.otherwise is not None:
+            job.otherwise()
+        if isinstance(job.error, DrawingError):
             self._window.files.report(job.error)
         else:
             sys.excepthook(type(job.error), job.error, job.error.__traceback__)

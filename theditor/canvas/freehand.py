@@ -14,13 +14,17 @@ from theditor.canvas.tool import Bench, Keys
 from theditor.canvas.tools import Drag, Pointer
 from theditor.canvas.viewport import Floats
 from theditor.model.words import counted, number
+from theditor.model.worker import Report
 from theditor.spline import MAX_COORDINATE
-from theditor.spline.fit import fit
+from theditor.spline.fit import Fitted, fit
 
 TOLERANCE = 2.0
 """How far a curve may be from its stroke, in pixels, unless the user prefers otherwise."""
+AT_ONCE = 300
+"""Strokes of more points than this are fitted as long work."""
 LOOP = 8
 """A stroke that comes back to its start is closed if its box is this many times as large as the reach."""
+_GAP = np.full((1, 2), np.nan)
 
 
 class FreehandTool:
@@ -34,11 +38,14 @@ class FreehandTool:
     def __init__(self, bench: Bench, done: Callable[[], None]) -> None:
         self._bench, self._done = bench, done
         self._stroke: list[Floats] = []
+        self._waiting: list[Floats] = []  # strokes that are being fitted
 
     @property
     def sketch(self) -> Sketch | None:
-        """The stroke so far."""
-        return Sketch(np.array(self._stroke), handles=False) if len(self._stroke) > 1 else None
+        """The stroke so far, and those that are still to become curves."""
+        strokes = [*self._waiting, np.array(self._stroke)]
+        lines = [part for stroke in strokes if len(stroke) > 1 for part in (stroke, _GAP)]
+        return Sketch(np.concatenate(lines[:-1]), handles=False) if lines else None
 
     def hover(self, pointer: Pointer) -> Hit:
         """Nothing of the drawing would be grabbed."""
@@ -62,22 +69,44 @@ class FreehandTool:
         self._stroke = []
 
     def finish(self, pointer: Pointer) -> None:
-        """Turn the stroke into a curve, and tell how near it is."""
+        """Turn the stroke into a curve, long ones beside the window."""
         stroke, scale = np.array(self._stroke), pointer.plane.scale
         self._stroke = []
         size = float(np.ptp(stroke, axis=0).max())
         gap = float(np.hypot(*(stroke[-1] - stroke[0])))
         loop = gap * scale <= REACH and size * scale >= LOOP * REACH
-        try:
-            curve, deviation = fit(stroke, preferred_degree(), preferred_tolerance() / scale, closed=loop)
-        except ValueError:
+        degree, tolerance = preferred_degree(), preferred_tolerance() / scale
+
+        def fitted(report: Report) -> Fitted | None:
+            try:
+                return fit(stroke, degree, tolerance, closed=loop)
+            except ValueError:
+                return None
+
+        if len(stroke) <= AT_ONCE:
+            self._draw(fitted(lambda share: None), scale)
+            return
+        self._waiting.append(stroke)
+
+        def arrive(result: Fitted | None) -> None:
+            give_up()
+            self._draw(result, scale)
+
+        def give_up() -> None:
+            self._waiting = [other for other in self._waiting if other is not stroke]
+            self._bench.view.viewport().update()
+
+        self._bench.document.worker.start("Fitting the stroke", fitted, arrive, give_up, bound=True)
+
+    def _draw(self, result: Fitted | None, scale: float) -> None:
+        """Add the curve, if there is one, and tell how near it is."""
+        if result is None:
             self._bench.say("The stroke stayed in one place: draw a longer one.")
             return
-        self._bench.draw(curve)
-        points = counted(len(curve.control_points), "control point")
-        self._bench.say(
-            f"Drew a curve of {points}, at most {number(round(deviation * scale, 1))} px from the stroke"
-        )
+        self._bench.draw(result.curve)
+        points = counted(len(result.curve.control_points), "control point")
+        away = number(round(result.deviation * scale, 1))
+        self._bench.say(f"Drew a curve of {points}, at most {away} px from the stroke")
 
     def key(self, keys: Keys) -> bool:
         """Escape leaves."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 
@@ -119,9 +119,9 @@ def clamp_or_free(document: Document, selection: Selection) -> str:
     return reshape.set_ends(document, selection, "free" if clamped else "clamped")
 
 
-def change_degree(document: Document, selection: Selection) -> str:
+def change_degree(document: Document, selection: Selection, tell: Callable[[str], None]) -> None:
     """Make the selected curves cubic or, if the current one is, quadratic."""
-    return reshape.set_degree(document, selection, 5 - _current(selection).curve.degree)
+    reshape.set_degree(document, selection, 5 - _current(selection).curve.degree, tell)
 
 
 def _current(selection: Selection) -> Item:

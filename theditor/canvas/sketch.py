@@ -17,12 +17,12 @@ from theditor.spline import Curve
 
 @dataclass(frozen=True)
 class Sketch:
-    """Control points or a stroke of the hand (n, 2), and the curve that they give, if they already give one."""
+    """Control points or strokes of the hand (n, 2), and the curve that they give, if they already give one."""
 
     points: Floats
     curve: Curve | None = None
     handles: bool = True
-    """Whether the points are control points."""
+    """Whether the points are control points; if not, rows of NaN part one stroke from the next."""
 
 
 def paint_sketch(painter: QPainter, sketch: Sketch, plane: Viewport, colours: Colours) -> None:
@@ -33,7 +33,8 @@ def paint_sketch(painter: QPainter, sketch: Sketch, plane: Viewport, colours: Co
     if sketch.handles:
         polygon.setDashPattern([4, 3])
     painter.setPen(polygon)
-    lines, _ = clipped(np.hstack([pixels[:-1], pixels[1:]]), plane.width, plane.height)
+    edges = np.hstack([pixels[:-1], pixels[1:]])
+    lines, _ = clipped(edges[np.isfinite(edges).all(axis=1)], plane.width, plane.height)
     draw_lines(painter, lines)
     if sketch.curve is not None:
         painter.setPen(QPen(QColor(colours.accent), 2))

@@ -12,6 +12,7 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 from theditor.drawing import Drawing, fingerprint, load, save
 from theditor.drawing.change import Change, difference
 from theditor.model.gesture import Gesture
+from theditor.model.worker import AtOnce, Worker
 from theditor.spline import Curve
 
 UNTITLED = "Untitled"
@@ -48,6 +49,7 @@ class Document(QObject):
         self._gesture: Gesture | None = None
         self._run = 0
         self._jumping = False
+        self.worker: Worker = AtOnce()
         self.undo_stack = QUndoStack(self)
         # Python clears circles in any order, and the stack would delete steps that are gone already: so it is
         # emptied while all of them are there.

@@ -2,25 +2,47 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 
+from theditor.drawing import Drawing
 from theditor.model.document import Document
 from theditor.model.selection import Selection
 from theditor.model.words import shape_changed
+from theditor.model.worker import Report
 from theditor.spline import Curve, Ends, with_degree, with_ends
 from theditor.spline.points import Edited
 
+AT_ONCE = 4000
+"""Curves of more control points than this are refitted as long work."""
 
-def set_degree(document: Document, selection: Selection, degree: int) -> str:
-    """Make the selected curves quadratic or cubic, with all points refitted."""
+
+def set_degree(document: Document, selection: Selection, degree: int, tell: Callable[[str], None]) -> None:
+    """Make the selected curves quadratic or cubic, with all points refitted; tell how well it went."""
+    document.settle()
     kind = "quadratic" if degree == 2 else "cubic"
-    return _reshape(
-        document,
-        selection,
-        lambda curve: with_degree(curve, degree),
-        f"Make {{}} {kind}",
-        f"Made {{}} {kind}",
-    )
+    drawing, chosen = document.drawing, _editable(document.drawing, selection)
+    count = sum(len(drawing[i].curve.lambdas) for i in chosen)
+    if not chosen:
+        return
+
+    def refit(report: Report) -> dict[int, Edited]:
+        edited = {}
+        for number, i in enumerate(chosen):
+            report(number / len(chosen))
+            edited[i] = with_degree(drawing[i].curve, degree)
+        return edited
+
+    def finish(edited: dict[int, Edited]) -> None:
+        now = document.drawing
+        if any(i >= len(now) or now[i].curve is not drawing[i].curve or now[i].locked for i in chosen):
+            tell(f"{_named(drawing, chosen)} changed meanwhile and stayed so: choose the degree again.")
+            return
+        tell(_replace(document, selection, edited, f"Make {{}} {kind}", f"Made {{}} {kind}"))
+
+    if count <= AT_ONCE:
+        finish(refit(lambda share: None))
+    else:
+        document.worker.start(f"Making {_named(drawing, chosen)} {kind}", refit, finish, bound=True)
 
 
 def close(document: Document, selection: Selection) -> str:
@@ -60,15 +82,29 @@ def reverse(document: Document, selection: Selection) -> str:
 def _reshape(
     document: Document, selection: Selection, edit: Callable[[Curve], Edited], text: str, told: str
 ) -> str:
-    """Edit the selected curves that are not locked; segments and points selected on them go, as they are others."""
+    """Edit the selected curves that are not locked."""
     document.settle()
     drawing = document.drawing
-    edited = {i: edit(drawing[i].curve) for i in selection.curves if not drawing[i].locked}
-    if not edited:
-        return ""
+    edited = {i: edit(drawing[i].curve) for i in _editable(drawing, selection)}
+    return _replace(document, selection, edited, text, told) if edited else ""
+
+
+def _replace(
+    document: Document, selection: Selection, edited: dict[int, Edited], text: str, told: str
+) -> str:
+    """Put edited curves in their places; segments and points selected on them go, as they are others."""
+    drawing = document.drawing
     new = {i: result.curve for i, result in edited.items()}
     document.apply(text.format("curve" if len(new) == 1 else f"{len(new)} curves"), drawing.with_curves(new))
-    selection.select_across(dict.fromkeys(selection.curves, ()), segments=())
-    named = f"“{drawing[min(new)].name}”" if len(new) == 1 else f"{len(new)} curves"
+    if not new.keys().isdisjoint(selection.curves):
+        selection.select_across(dict.fromkeys(selection.curves, ()), segments=())
     deviation = max(result.deviation for result in edited.values())
-    return f"{told.format(named)}; {shape_changed(deviation, *new.values())}"
+    return f"{told.format(_named(drawing, new))}; {shape_changed(deviation, *new.values())}"
+
+
+def _editable(drawing: Drawing, selection: Selection) -> list[int]:
+    return [i for i in selection.curves if not drawing[i].locked]
+
+
+def _named(drawing: Drawing, curves: Collection[int]) -> str:
+    return f"“{drawing[min(curves)].name}”" if len(curves) == 1 else f"{len(curves)} curves"

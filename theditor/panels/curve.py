@@ -151,7 +151,10 @@ class CurvePanel(QWidget):
             self._set_style("Change line width", merge=self._selection.curves, width=width)
 
     def _set_degree(self, choice: int) -> None:
-        self._tell(reshape.set_degree(self._document, self._selection, list(_DEGREES)[choice]))
+        reshape.set_degree(self._document, self._selection, list(_DEGREES)[choice], self._tell)
+        self._shown_kind = None  # long work may go on, which can be called off
+        if self._item is not None:
+            self._show_kind(self._item.curve)
 
     def _set_ends(self, choice: int) -> None:
         chosen = _ENDS[choice]

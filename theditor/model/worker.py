@@ -1,0 +1,57 @@
+"""Who does long work for the document: this thread, at once, unless a window does it beside itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol, TypeVar
+
+Result = TypeVar("Result")
+Report = Callable[[float], None]
+"""Is told now and then the share of the work that is done, 0 to 1."""
+
+
+class Worker(Protocol):
+    """Does work, and hands over in the window's thread what comes of it."""
+
+    def start(
+        self,
+        words: str,
+        function: Callable[[Report], Result],
+        done: Callable[[Result], object],
+        otherwise: Callable[[], object] | None = None,
+        *,
+        bound: bool = False,
+    ) -> None:
+        """Call a function, and hand its result to `done`.
+
+        Parameters
+        ----------
+        words
+            What is going on: ``"Making “a” cubic"``.
+        function
+            Must touch neither window nor document: immutable values alone.
+        otherwise
+            Called in place of `done` if nothing comes of it: it failed, or was called off.
+        bound
+            Whether the work is for the drawing at hand, and is called off when another one takes its place.
+        """
+
+
+class AtOnce:
+    """Does all work where it is asked for."""
+
+    def start(
+        self,
+        words: str,
+        function: Callable[[Report], Result],
+        done: Callable[[Result], object],
+        otherwise: Callable[[], object] | None = None,
+        *,
+        bound: bool = False,
+    ) -> None:
+        """See `Worker.start`."""
+        done(function(_unheard))
+
+
+def _unheard(share: float) -> None:
+    """Nobody waits for a report."""
