@@ -138,8 +138,10 @@ class Canvas(PlaneView):
         """Leave the ground to the picture, which covers it."""
 
     def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
-        """Paint the picture."""
-        self._layers.paint(painter, self._frame())
+        """Paint the picture: while the hand zooms as quickly as it can be, but for one who takes a copy exactly."""
+        screen = self.viewport().backingStore().paintDevice()
+        on_screen = painter.paintEngine().paintDevice() is screen
+        self._layers.paint(painter, self._frame(), zooming=self.zooming and on_screen)
 
     def _frame(self) -> Frame:
         selection = self._selection

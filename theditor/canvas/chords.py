@@ -47,16 +47,17 @@ class Level(NamedTuple):
 
     def meet(self, nodes: Ints, low: Floats, high: Floats) -> Flags:
         """Which of some boxes meet a window."""
-        return _between(self.low[:, nodes], self.high[:, nodes], low, high)
+        return _between(self.low.take(nodes, axis=1), self.high.take(nodes, axis=1), low, high)
 
     def within(self, nodes: Ints, low: Floats, high: Floats) -> Flags:
         """Which of some boxes lie in a window altogether."""
-        return _between(self.high[:, nodes], self.low[:, nodes], low, high)
+        return _between(self.high.take(nodes, axis=1), self.low.take(nodes, axis=1), low, high)
 
     def below(self, nodes: Ints) -> Ints:
-        """The children of some nodes."""
-        left, right = self.left[nodes], self.right[nodes]
-        return np.concatenate((left, right[right != left]))
+        """The children of some nodes, in their order."""
+        pairs = np.stack((self.left[nodes], self.right[nodes]), axis=1)
+        alone = np.flatnonzero(pairs[:, 0] == pairs[:, 1])
+        return np.delete(pairs, 2 * alone) if len(alone) else pairs.ravel()
 
 
 @dataclass(frozen=True)
@@ -215,7 +216,8 @@ class ChordTree:
         by_mode: int = -1,
         without: Mapping[int, Ints] | None = None,
         whole: bool = False,
-    ) -> Chords:
+        most: int | None = None,
+    ) -> Chords | None:
         """The lines to draw for what a window shows.
 
         Parameters
@@ -230,9 +232,11 @@ class ChordTree:
             Segments to leave out, by the curve.
         whole
             Whether no line may run over several segments.
+        most
+            Give up, and return None, when there are to be more lines than this.
         """
         barred = self._barred(without or {})
-        first, last, codes = [], [], []
+        first, last, codes, count = [], [], [], 0
         nodes = np.arange(len(self._levels[-1].first))
         for height in range(len(self._levels) - 1, -1, -1):
             level = self._levels[height]
@@ -250,6 +254,9 @@ class ChordTree:
                 last.append(level.last[found])
                 codes.append(level.code[found])
                 nodes = nodes[~fits]
+                count += len(found)
+            if most is not None and count + len(nodes) > most:
+                return None
             nodes = level.below(nodes) if height else nodes
         return self._lines(
             np.concatenate(first), np.concatenate(last), np.concatenate(codes), nodes, tolerance
@@ -287,26 +294,31 @@ class ChordTree:
         self, first: Ints, last: Ints, codes: NDArray[np.int8], leaves: Ints, tolerance: float
     ) -> Chords:
         """Put together the chords over runs of leaves, and the finer lines of single ones, in order."""
-        lines = [np.concatenate((self._ends[:2, first], self._ends[2:, last])).T]
+        lines = [np.concatenate((self._ends[:2].take(first, axis=1), self._ends[2:].take(last, axis=1))).T]
         rows, steps = [first], [np.tile((0.0, 1.0), (len(first), 1))]
+        counts = self._steps(leaves, tolerance)
         for degree in (2, 3):
-            own = leaves[self._cubic[leaves] == (degree == 3)]
-            if len(own):
-                samples = sample_parts(self._parts.take(own), degree, self._steps(own, tolerance))
-                pieces, run, t = samples.pieces()
-                lines.append(pieces)
-                rows.append(own[run])
-                steps.append(t)
+            for count in distinct(counts).tolist():
+                own = leaves[(counts == count) & (self._cubic[leaves] == (degree == 3))]
+                if len(own):
+                    parts = joints.Segments(*(part.take(own, axis=-1) for part in self._parts))
+                    samples = sample_parts(parts, degree, np.full(len(own), count))
+                    x, y = samples.points.T.reshape(2, len(own), count + 1)
+                    pieces = np.stack((x[:, :-1], y[:, :-1], x[:, 1:], y[:, 1:]), axis=2)
+                    lines.append(pieces.reshape(-1, 4))
+                    rows.append(np.repeat(own, count))
+                    t = np.arange(count) / count
+                    steps.append(np.tile(np.stack((t, t + 1 / count), axis=1), (len(own), 1)))
         at = np.concatenate(rows)
         order = np.argsort(at, kind="stable")
         at = at[order]
         finer = self._levels[0].code[np.concatenate(rows[1:])] if len(rows) > 1 else codes[:0]
         return Chords(
-            np.vstack(lines)[order],
+            np.concatenate(lines).take(order, axis=0),
             self._owner[at],
             np.concatenate([codes, finer])[order],
             at - self._begins[self._owner[at]],
-            np.vstack(steps)[order],
+            np.concatenate(steps).take(order, axis=0),
         )
 
     def _steps(self, leaves: Ints, tolerance: float) -> Ints:

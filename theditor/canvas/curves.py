@@ -95,6 +95,7 @@ class CurvesPainter:
         found = self._tree.chords(
             point - away, point + away, tolerance, without=self._by_place(without), whole=True
         )
+        assert found is not None, "however many they are"
         lines = viewport.lines_to_pixels(found.lines)
         indices, result = list(self._places), {}
         for place in distinct(found.curves).tolist():
@@ -116,15 +117,20 @@ class CurvesPainter:
         by_mode: bool,
         without: Mapping[int, Ints] | None = None,
         area: Area | None = None,
-    ) -> None:
-        """Paint all curves, the current one last, so that it lies on top.
+        tolerance: float | None = None,
+        most: int | None = None,
+    ) -> int | None:
+        """Paint all curves, the current one last, so that it lies on top; returns how many lines they are.
 
-        Some segments of some may be left out; what lies outside an area in pixels may be, too.
+        Some segments of some may be left out; what lies outside an area in pixels may be, too. The lines are
+        within a tolerance in pixels of the curves, by default one that no eye sees. If they are more than `most`,
+        nothing is painted, and None returned.
         """
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         margin = 8.0 + max((drawing[i].width for i in self._places), default=0.0) / 2
         low, high = viewport.window(margin, area)
-        tolerance = TOLERANCE if self._tree.size <= CROWDED else CROWDED_TOLERANCE
+        if tolerance is None:
+            tolerance = TOLERANCE if self._tree.size <= CROWDED else CROWDED_TOLERANCE
         ratio = painter.device().devicePixelRatioF()
         top = self._places.get(current, -1)
         chords = self._tree.chords(
@@ -133,7 +139,10 @@ class CurvesPainter:
             tolerance / ratio / viewport.scale,
             by_mode=top if by_mode else -1,
             without=self._by_place(without),
+            most=most,
         )
+        if chords is None:
+            return None
         lines, kept = clipped(viewport.lines_to_pixels(chords.lines), viewport.width, viewport.height, margin)
         owners, codes = chords.curves[kept], chords.codes[kept]
         indices = list(self._places)
@@ -144,7 +153,7 @@ class CurvesPainter:
             if by_mode and place == top:
                 for code in distinct(codes[own]).tolist():
                     painter.setPen(curve_pen(colours.of_mode(MODES[code]), item.width))
-                    draw_lines(painter, lines[own][codes[own] == code])
+                    draw_lines(painter, lines[own].take(np.flatnonzero(codes[own] == code), axis=0))
             else:
                 style = item.color, item.width
                 pen = pens.get(style) or pens.setdefault(
@@ -152,6 +161,7 @@ class CurvesPainter:
                 )
                 painter.setPen(pen)
                 draw_lines(painter, lines[own])
+        return len(lines)
 
 
 def paint_segments(

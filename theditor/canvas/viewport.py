@@ -51,7 +51,8 @@ class Viewport:
 
     def lines_to_pixels(self, lines: Floats) -> Floats:
         """Pixels of the starts and ends of lines (n, 4)."""
-        pixels: Floats = (lines - (self.x, self.y) * 2) * ((self.scale, -self.scale) * 2)
+        pixels: Floats = lines - (self.x, self.y) * 2
+        pixels *= (self.scale, -self.scale) * 2
         pixels += (self.width / 2, self.height / 2) * 2
         return pixels
 
