@@ -258,9 +258,10 @@ class ChordTree:
             if most is not None and count + len(nodes) > most:
                 return None
             nodes = level.below(nodes) if height else nodes
-        return self._lines(
-            np.concatenate(first), np.concatenate(last), np.concatenate(codes), nodes, tolerance
-        )
+        steps = self._steps(nodes, tolerance)
+        if most is not None and count + int(steps.sum()) > most:
+            return None
+        return self._lines(np.concatenate(first), np.concatenate(last), np.concatenate(codes), nodes, steps)
 
     def seen(self, place: int, low: Floats, high: Floats) -> Ints:
         """The segments of one curve whose boxes meet a window, ascending."""
@@ -290,13 +291,10 @@ class ChordTree:
             nodes = nodes if parents is None else distinct(parents[nodes])
         return flags
 
-    def _lines(
-        self, first: Ints, last: Ints, codes: NDArray[np.int8], leaves: Ints, tolerance: float
-    ) -> Chords:
-        """Put together the chords over runs of leaves, and the finer lines of single ones, in order."""
+    def _lines(self, first: Ints, last: Ints, codes: NDArray[np.int8], leaves: Ints, counts: Ints) -> Chords:
+        """Put together the chords over runs of leaves, and so many of single ones, in order."""
         lines = [np.concatenate((self._ends[:2].take(first, axis=1), self._ends[2:].take(last, axis=1))).T]
         rows, steps = [first], [np.tile((0.0, 1.0), (len(first), 1))]
-        counts = self._steps(leaves, tolerance)
         for degree in (2, 3):
             for count in distinct(counts).tolist():
                 own = leaves[(counts == count) & (self._cubic[leaves] == (degree == 3))]
