@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 
 from theditor.app.work_card import WorkCard
 from theditor.canvas import freehand
+from theditor.canvas import points as point_edits
 from theditor.drawing import Drawing, DrawingError
 from theditor.model import reshape
 
@@ -165,7 +166,33 @@ def test_a_curve_that_was_edited_while_its_degree_was_to_change_stays_as_it_was_
     refitted.let_go()
     qtbot.waitUntil(lambda: idle(window))
     assert window.document.drawing is edited
-    assert window.announced.endswith("changed meanwhile and stayed so: choose the degree again.")
+    assert window.announced == "Making “Figure 10” quadratic was given up: “Figure 10” changed meanwhile."
+
+
+def test_many_points_are_inserted_and_deleted_beside_the_window(window, qtbot, monkeypatch):
+    monkeypatch.setattr(point_edits, "AT_ONCE", 1)
+    before = window.document.drawing
+    count = len(before[0].curve.control_points)
+    window.selection.select(points=[2, 3, 5, 6])
+    window.actions_by_name["insert_point"].trigger()
+    assert window.work.jobs[0].words == "Inserting 2 control points"
+    assert window.document.drawing is before
+    qtbot.waitUntil(lambda: idle(window))
+    assert window.announced.startswith("Inserted P₃, P₇; the shape changed by at most ")
+    assert set(window.selection.points) == {3, 7}
+    assert len(window.document.drawing[0].curve.control_points) == count + 2
+    window.actions_by_name["delete_points"].trigger()
+    assert window.work.jobs[0].words == "Deleting 2 control points"
+    qtbot.waitUntil(lambda: idle(window))
+    assert len(window.document.drawing[0].curve.control_points) == count
+    window.selection.select(points=[2, 3, 5, 6])
+    window.actions_by_name["insert_point"].trigger()
+    window.work.cancel(window.work.jobs[0])
+    assert window.announced == "Inserting 2 control points was cancelled."
+    qtbot.waitUntil(lambda: idle(window))
+    window.document.undo()
+    window.document.undo()
+    assert window.document.drawing == before
 
 
 @pytest.fixture

@@ -121,7 +121,9 @@ def test_delete_takes_points_of_all_curves_and_curves_with_too_few_left(chosen, 
         hand.move([5.0, 7.0])
     assert told.args[0].hint == "Delete: the whole curve, for too few control points would stay"
     before = chosen.document.drawing
-    told = remove(chosen.document, chosen.selection, refit=True)
+    said = []
+    remove(chosen.document, chosen.selection, said.append, refit=True)
+    (told,) = said
     assert [item.name for item in chosen.document.drawing] == ["one"]
     assert len(points(chosen, 0)) == 4
     assert told.startswith("Deleted 2 control points; the shape changed by at most ")
@@ -132,7 +134,9 @@ def test_delete_takes_points_of_all_curves_and_curves_with_too_few_left(chosen, 
 
 
 def test_points_are_inserted_beside_those_selected_on_each_curve(chosen):
-    told = insert(chosen.document, chosen.selection)
+    said = []
+    insert(chosen.document, chosen.selection, said.append)
+    (told,) = said
     assert told.startswith("Inserted 2 control points on 2 curves; the shape ")
     assert [len(item.curve.control_points) for item in chosen.document.drawing] == [7, 5]
     assert across(chosen) == {0: [2], 1: [2]}

@@ -98,13 +98,16 @@ def test_inserting_and_removing_go_one_step_each_and_keep_count(case, segments):
         selection.select(segments=chosen)
     else:
         selection.select(points=chosen)
-    text = edits.insert(document, selection)
+    said = []
+    edits.insert(document, selection, said.append)
+    (text,) = said
     new = document.drawing[0].curve
     assert text.startswith("Inserted P")
     assert len(new.control_points) == len(curve.control_points) + len(selection.points)
     assert not segments or len(selection.points) == len(chosen)
     assert document.undo_stack.count() == 1
-    fewer = edits.remove(document, selection, refit=True)
+    edits.remove(document, selection, said.append, refit=True)
+    fewer = said[-1]
     assert document.undo_stack.count() == 2
     assert fewer.startswith("Deleted")
     assert len(document.drawing[0].curve.control_points) == len(curve.control_points)
@@ -116,7 +119,9 @@ def test_too_few_points_left_are_none(case, refit):
     document = Document(Drawing([Item(curve, name="a")]))
     selection = Selection(document)
     selection.select(points=chosen)
-    text = edits.remove(document, selection, refit=refit)
+    said = []
+    edits.remove(document, selection, said.append, refit=refit)
+    (text,) = said
     if takes_the_curve(curve, len(chosen)):
         assert len(document.drawing) == 0
         assert "“a”" in text

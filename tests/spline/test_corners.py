@@ -41,6 +41,52 @@ def test_smoothing_takes_a_corner_away_again(curve, data):
             assert smooth(curve, index) == curve
 
 
+@given(curves(low=-2, high=3), st.data())
+@settings(deadline=None)
+def test_many_corners_at_once_are_as_many_one_after_the_other(curve, data):
+    count = len(curve.control_points)
+    # Some points lie on the one before, on a closed curve perhaps over the seam.
+    again = data.draw(st.sets(st.integers(0 if curve.closed else 1, count - 1)))
+    points = curve.control_points.copy()
+    for i in sorted(again):
+        points[i] = points[i - 1]
+    curve = curve.with_(control_points=points)
+    inner = [i for i in range(count) if curve.closed or not (points[[0, -1]] == points[i]).all(axis=1).any()]
+    chosen = sorted(data.draw(st.sets(st.sampled_from(inner)))) if inner else []
+    if (points == points[0]).all() and curve.closed:
+        chosen = chosen[:1]
+    one = curve
+    for i in chosen:
+        # Points keep their order, so it is found by those that are not after it.
+        at = len(one.control_points) - (count - i)
+        one = corner(one, at % len(one.control_points))
+    many = corner(curve, chosen)
+    np.testing.assert_array_equal(many.control_points, one.control_points)
+    np.testing.assert_array_equal(many.lambdas, one.lambdas)
+
+
+@given(curves(low=-2, high=3))
+@settings(deadline=None)
+def test_smoothed_everywhere_a_curve_has_no_point_twice_in_a_row(curve):
+    count = len(curve.control_points)
+    inner = range(count) if curve.closed else range(1, count - 1)
+    sharp = corner(
+        curve,
+        [
+            i
+            for i in inner
+            if not (curve.control_points[[0, -1]] == curve.control_points[i]).all(axis=1).any()
+        ],
+    )
+    try:
+        plain = smooth(sharp, np.arange(len(sharp.control_points))).control_points
+    except ValueError:
+        assert len(np.unique(sharp.control_points, axis=0)) < 4
+    else:
+        steps = np.diff(plain, axis=0, append=plain[:1] if curve.closed else plain[-1:] + 1)
+        assert steps.any(axis=1).all()
+
+
 def test_a_corner_at_the_seam_of_a_closed_curve_can_be_smoothed():
     ring = Curve(ZIGZAG, 0.5, closed=True)
     for index in (0, 5):

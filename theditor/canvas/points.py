@@ -4,62 +4,98 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from functools import partial
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from theditor.canvas.viewport import Floats
 from theditor.drawing import Drawing
 from theditor.model import Document, Selection
+from theditor.model.long_edits import edit_curves
 from theditor.model.words import counted, indexed, listed, points_counted, shape_changed, symbols
+from theditor.model.worker import Report
 from theditor.spline import Curve, corners, fewest_points
 from theditor.spline import points as edits
+from theditor.spline.points import Edited
 
 MOST_NAMED = 3
 """More curves than this are counted, not named."""
 
 
-def insert_at(document: Document, selection: Selection, u: float) -> str:
-    """Insert a control point where the current curve's parameter is `u`; returns what happened."""
-    return _insert(document, selection, {selection.curve: [u]})
+AT_ONCE = 20
+"""When points go in or out at more places than this, with others refitted, it is long work."""
+
+Tell = Callable[[str], None]
 
 
-def insert(document: Document, selection: Selection) -> str:
+def insert_at(document: Document, selection: Selection, u: float, tell: Tell) -> None:
+    """Insert a control point where the current curve's parameter is `u`; tell what happened."""
+    _insert(document, selection, {selection.curve: [u]}, tell)
+
+
+def insert(document: Document, selection: Selection, tell: Tell) -> None:
     """Insert control points into the selected segments, else between or after the selected points of each curve."""
     item = selection.item
     if selection.segments and item is not None and not item.locked:
-        return _insert(document, selection, {selection.curve: [s + 0.5 for s in selection.segments]})
+        _insert(document, selection, {selection.curve: [s + 0.5 for s in selection.segments]}, tell)
+        return
     places: dict[int, list[float]] = {}
     for i, of in selection.movable.items():
         curve = selection.drawing[i].curve
         places[i] = [_middle(curve, edge) for edge in _edges(curve, frozenset(of.tolist()))]
-    return _insert(document, selection, places)
+    _insert(document, selection, places, tell)
 
 
-def _insert(document: Document, selection: Selection, places: Mapping[int, list[float]]) -> str:
+class _Inserted(NamedTuple):
+    """A curve with more control points: which are new, and how far its shape is from what it was at most."""
+
+    curve: Curve
+    new: list[int]
+    change: float
+
+
+def _insert(document: Document, selection: Selection, places: Mapping[int, list[float]], tell: Tell) -> None:
     document.settle()
-    drawing = document.drawing
-    curves: dict[int, Curve] = {}
-    new: dict[int, list[int]] = {}
-    change = 0.0
-    for i, at in places.items():
-        curves[i], new[i], deviation = _inserted(drawing[i].curve, at)
-        change = max(change, deviation)
-    document.apply(f"Insert {points_counted(new)}", drawing.with_curves(curves))
-    selection.select_across(new, selection.curve, ())
-    named = symbols("P", new[selection.curve]) if len(new) == 1 and selection.curve in new else ""
-    return f"Inserted {named or points_counted(new)}; {shape_changed(change, *curves.values())}"
+    drawing, count = document.drawing, sum(map(len, places.values()))
+
+    def edit(report: Report) -> dict[int, _Inserted]:
+        done = 0
+        edited = {}
+        for i, at in places.items():
+            edited[i] = _inserted(drawing[i].curve, at, partial(_report, report, done, count))
+            done += len(at)
+        return edited
+
+    def finish(edited: dict[int, _Inserted]) -> str:
+        new = {i: result.new for i, result in edited.items()}
+        curves = {i: result.curve for i, result in edited.items()}
+        change = max((result.change for result in edited.values()), default=0.0)
+        document.apply(f"Insert {points_counted(new)}", document.drawing.with_curves(curves))
+        selection.select_across(new, selection.curve, ())
+        names = symbols("P", new[selection.curve]) if len(new) == 1 and selection.curve in new else ""
+        return f"Inserted {names or points_counted(new)}; {shape_changed(change, *curves.values())}"
+
+    words = f"Inserting {counted(count, 'control point')}"
+    edit_curves(document, places, words, edit, finish, tell, long=count > AT_ONCE)
 
 
-def _inserted(curve: Curve, places: list[float]) -> tuple[Curve, list[int], float]:
+def _inserted(curve: Curve, places: list[float], report: Callable[[int], None]) -> _Inserted:
     """Insert from the last place to the first, so that those to come stay where they are."""
     change = 0.0
-    new: list[int] = []
-    for u in sorted(places, reverse=True):
-        at = _edge_at(curve, u) + 1
+    edges = []
+    for number, u in enumerate(sorted(places, reverse=True)):
+        report(number)
+        edges.append(_edge_at(curve, u) + 1)
         curve, deviation = edits.insert(curve, u)
         change += deviation
-        new = [at, *(i + 1 for i in new)]
-    return curve, sorted(new), change
+    new = np.array(edges[::-1], dtype=np.intp) + np.arange(len(edges))
+    return _Inserted(curve, sorted(new.tolist()), change)
+
+
+def _report(report: Report, before: int, count: int, done: int) -> None:
+    report((before + done) / count)
 
 
 def insert_on_edge(document: Document, selection: Selection, edge: int, fraction: float) -> str:
@@ -72,31 +108,43 @@ def insert_on_edge(document: Document, selection: Selection, edge: int, fraction
     return f"Inserted {indexed('P', edge + 1)} on the polygon; {shape_changed(deviation, curve)}"
 
 
-def remove(document: Document, selection: Selection, *, refit: bool) -> str:
+def remove(document: Document, selection: Selection, tell: Tell, *, refit: bool) -> None:
     """Remove the selected control points, of all curves; a curve on which too few would stay goes whole."""
     document.settle()
     drawing, chosen, gone = document.drawing, selection.movable, doomed(selection)
-    new: dict[int, Curve] = {}
-    deviation = 0.0
-    for i, of in chosen.items():
-        if i not in gone:
-            new[i], change = edits.remove(drawing[i].curve, of.tolist(), refit)
-            deviation = max(deviation, change)
-    names = [f"“{drawing[i].name}”" for i in gone]
-    deleted = counted(len(gone), "curve") if len(gone) > MOST_NAMED else listed(names) if gone else ""
-    told = []
-    text = f"Delete {points_counted(chosen)}"
-    if new:
-        count = sum(len(chosen[i]) for i in new)
-        told.append(f"Deleted {counted(count, 'control point')}; {shape_changed(deviation, *new.values())}")
-    else:
-        text = "Delete curve" if len(gone) == 1 else f"Delete {len(gone)} curves"
-    if gone:
-        told.append(f"Deleted {deleted}: too few control points would have stayed")
-    left = drawing.with_curves(new)
-    document.apply(text, Drawing(item for i, item in enumerate(left) if i not in gone))
-    selection.select(points=(), segments=())
-    return ". ".join(told)
+    fewer = {i: of for i, of in chosen.items() if i not in gone}
+    runs = {i: 1 + int(np.count_nonzero(np.diff(of) > 1)) for i, of in fewer.items()}
+    count = sum(runs.values())
+
+    def edit(report: Report) -> dict[int, Edited]:
+        done = 0
+        edited = {}
+        for i, of in fewer.items():
+            edited[i] = edits.remove(drawing[i].curve, of, refit, partial(_report, report, done, count))
+            done += runs[i]
+        return edited
+
+    def finish(edited: dict[int, Edited]) -> str:
+        new = {i: result.curve for i, result in edited.items()}
+        deviation = max((result.deviation for result in edited.values()), default=0.0)
+        told = []
+        text = f"Delete {points_counted(chosen)}"
+        if new:
+            gone_points = counted(sum(map(len, fewer.values())), "control point")
+            told.append(f"Deleted {gone_points}; {shape_changed(deviation, *new.values())}")
+        else:
+            text = "Delete curve" if len(gone) == 1 else f"Delete {len(gone)} curves"
+        if gone:
+            names = [f"“{drawing[i].name}”" for i in gone]
+            deleted = counted(len(gone), "curve") if len(gone) > MOST_NAMED else listed(names)
+            told.append(f"Deleted {deleted}: too few control points would have stayed")
+        left = document.drawing.with_curves(new)
+        document.apply(text, Drawing(item for i, item in enumerate(left) if i not in gone))
+        selection.select(points=(), segments=())
+        return ". ".join(told)
+
+    words = f"Deleting {points_counted(chosen)}"
+    edit_curves(document, chosen, words, edit, finish, tell, long=refit and count > AT_ONCE)
 
 
 def make_corners(document: Document, selection: Selection) -> str:
@@ -122,18 +170,18 @@ def make_smooth(document: Document, selection: Selection) -> str:
 
 
 def _each(
-    document: Document, selection: Selection, edit: Callable[[Curve, int], Curve], text: str, told: str
+    document: Document,
+    selection: Selection,
+    edit: Callable[[Curve, NDArray[np.intp]], Curve],
+    text: str,
+    told: str,
 ) -> str:
-    """Edit the curves at each selected place, from the last to the first; points in one place count once."""
+    """Edit the curves at the selected places; points in one place count once."""
     document.settle()
     drawing = document.drawing
-    new: dict[int, Curve] = {}
-    places: dict[int, list[int]] = {}
-    for i, of in selection.movable.items():
-        curve = new[i] = drawing[i].curve
-        places[i] = _apart(curve, of.tolist())
-        for place in reversed(places[i]):
-            new[i] = edit(new[i], place)
+    chosen = selection.movable
+    new = {i: edit(drawing[i].curve, of) for i, of in chosen.items()}
+    places = {i: _apart(drawing[i].curve, of.tolist()) for i, of in chosen.items()}
     named = symbols("P", places[selection.curve]) if [*places] == [selection.curve] else ""
     after = drawing.with_curves(new)
     if after == drawing:

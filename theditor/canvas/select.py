@@ -142,7 +142,7 @@ class SelectTool:
         u = parameter_of(hit, current, item.curve)
         if u is None:
             return False
-        bench.say(points.insert_at(bench.document, bench.selection, u))
+        points.insert_at(bench.document, bench.selection, u, bench.say)
         return True
 
     def click(self, drag: Drag, pointer: Pointer) -> None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable
 
 from theditor.drawing import Drawing
 from theditor.model.document import Document
+from theditor.model.long_edits import edit_curves, named
 from theditor.model.selection import Selection
 from theditor.model.words import shape_changed
 from theditor.model.worker import Report
@@ -13,7 +14,7 @@ from theditor.spline import Curve, Ends, with_degree, with_ends
 from theditor.spline.points import Edited
 
 AT_ONCE = 4000
-"""Curves of more control points than this are refitted as long work."""
+"""When curves have more control points than this together, refitting them is long work."""
 
 
 def set_degree(document: Document, selection: Selection, degree: int, tell: Callable[[str], None]) -> None:
@@ -21,7 +22,6 @@ def set_degree(document: Document, selection: Selection, degree: int, tell: Call
     document.settle()
     kind = "quadratic" if degree == 2 else "cubic"
     drawing, chosen = document.drawing, _editable(document.drawing, selection)
-    count = sum(len(drawing[i].curve.lambdas) for i in chosen)
     if not chosen:
         return
 
@@ -32,17 +32,11 @@ def set_degree(document: Document, selection: Selection, degree: int, tell: Call
             edited[i] = with_degree(drawing[i].curve, degree)
         return edited
 
-    def finish(edited: dict[int, Edited]) -> None:
-        now = document.drawing
-        if any(i >= len(now) or now[i].curve is not drawing[i].curve or now[i].locked for i in chosen):
-            tell(f"{_named(drawing, chosen)} changed meanwhile and stayed so: choose the degree again.")
-            return
-        tell(_replace(document, selection, edited, f"Make {{}} {kind}", f"Made {{}} {kind}"))
+    def finish(edited: dict[int, Edited]) -> str:
+        return _replace(document, selection, edited, f"Make {{}} {kind}", f"Made {{}} {kind}")
 
-    if count <= AT_ONCE:
-        finish(refit(lambda share: None))
-    else:
-        document.worker.start(f"Making {_named(drawing, chosen)} {kind}", refit, finish, bound=True)
+    long = sum(len(drawing[i].curve.lambdas) for i in chosen) > AT_ONCE
+    edit_curves(document, chosen, f"Making {named(drawing, chosen)} {kind}", refit, finish, tell, long=long)
 
 
 def close(document: Document, selection: Selection) -> str:
@@ -99,12 +93,8 @@ def _replace(
     if not new.keys().isdisjoint(selection.curves):
         selection.select_across(dict.fromkeys(selection.curves, ()), segments=())
     deviation = max(result.deviation for result in edited.values())
-    return f"{told.format(_named(drawing, new))}; {shape_changed(deviation, *new.values())}"
+    return f"{told.format(named(drawing, new))}; {shape_changed(deviation, *new.values())}"
 
 
 def _editable(drawing: Drawing, selection: Selection) -> list[int]:
     return [i for i in selection.curves if not drawing[i].locked]
-
-
-def _named(drawing: Drawing, curves: Collection[int]) -> str:
-    return f"“{drawing[min(curves)].name}”" if len(curves) == 1 else f"{len(curves)} curves"

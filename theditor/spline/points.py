@@ -4,6 +4,7 @@ TH-splines have no exact knot insertion: the control points around the place are
 and what that changed is measured.
 """
 
+from collections.abc import Callable
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -89,7 +90,9 @@ def insert_on_edge(curve: Curve, edge: int, fraction: float = 0.5) -> Edited:
     return Edited(grown, deviation(curve, grown, _within(curve, start, end), _within(grown, start, end + 1)))
 
 
-def remove(curve: Curve, indices: ArrayLike, refit: bool = True) -> Edited:
+def remove(
+    curve: Curve, indices: ArrayLike, refit: bool = True, progress: Callable[[int], None] | None = None
+) -> Edited:
     """Return the curve with some control points fewer.
 
     Points at the ends of an open curve take the end with them; the others are taken out run by run.
@@ -102,6 +105,8 @@ def remove(curve: Curve, indices: ArrayLike, refit: bool = True) -> Edited:
     refit : bool
         Whether three control points on either side of each run are refitted, so that the shape changes
         least, or all are left alone.
+    progress : callable, optional
+        Told how many runs are refitted, before each.
 
     Raises
     ------
@@ -116,7 +121,9 @@ def remove(curve: Curve, indices: ArrayLike, refit: bool = True) -> Edited:
     stay = np.setdiff1d(np.arange(count), where)
     result = curve
     if refit:
-        for run in reversed(_runs(where, stay)):
+        for number, run in enumerate(reversed(_runs(where, stay))):
+            if progress is not None:
+                progress(number)
             result = _without(result, run)
     else:
         result = curve.with_(control_points=curve.control_points[stay], lambdas=curve.lambdas[stay])
