@@ -14,7 +14,7 @@ import theditor
 
 PACKAGE = Path(theditor.__file__).parent
 
-QT = {"PySide6", "shiboken6"}
+QT = {"PySide6", "shiboken6", "pyqtgraph"}
 
 # What each part may import besides itself, `resources` and the standard library.
 LAYERS = {

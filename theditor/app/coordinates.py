@@ -55,7 +55,7 @@ class Coordinates(QFrame):
         self.hide()
         window.document.changed.connect(self.follow)
         window.selection.changed.connect(self.follow)
-        window.canvas.view_changed.connect(self._follow_view)
+        window.canvas.box.sigTransformChanged.connect(self._follow_view)
         window.canvas.pointed.connect(self._follow_hand)
 
     def _field(self, axis: int, name: str, layout: QHBoxLayout) -> NumberField:

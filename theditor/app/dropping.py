@@ -27,6 +27,8 @@ class Dropping(QObject):
         super().__init__(window)
         self._window = window
         window.setAcceptDrops(True)
+        # Else the canvas would take what is dropped on it, and do nothing.
+        window.canvas.viewport().setAcceptDrops(False)
         window.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

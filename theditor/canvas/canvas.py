@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtCore import QEvent, QRectF, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QResizeEvent
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from theditor.canvas.cursors import cursor_over
@@ -67,7 +67,7 @@ class Canvas(PlaneView):
         }
         self._tool: Tool = self._select
 
-        self.view_changed.connect(self._view_changed)
+        self.box.sigTransformChanged.connect(self._view_changed)
         self._legend = Legend(self)
 
         self.setObjectName("canvas")
@@ -105,8 +105,8 @@ class Canvas(PlaneView):
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
             taken = event.key() in self._tool.keys
             event.setAccepted(taken)
-            return taken or super().event(event)
-        return super().event(event)
+            return taken or bool(super().event(event))
+        return bool(super().event(event))
 
     @property
     def dragging(self) -> bool:
@@ -117,7 +117,8 @@ class Canvas(PlaneView):
 
     def fit(self) -> None:
         """Show all visible curves with their control points, and go on doing so while the canvas is resized."""
-        self.show_view(*fitted(self._document.drawing, self.width(), self.height()))
+        size = self.box.rect()
+        self.show_view(*fitted(self._document.drawing, size.width(), size.height()))
         self.fitted = True
 
     def set_shown(self, **what: Any) -> None:
@@ -133,13 +134,14 @@ class Canvas(PlaneView):
 
     # Painting
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def drawBackground(self, painter: QPainter, rect: QRectF) -> None:
+        """Leave the ground to the picture, which covers it."""
+
+    def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
         """Paint the picture: while the hand zooms as quickly as it can be, but for one who takes a copy exactly."""
-        painter = QPainter(self.viewport())
         screen = self.viewport().backingStore().paintDevice()
         on_screen = painter.paintEngine().paintDevice() is screen
         self._layers.paint(painter, self._frame(), zooming=self.zooming and on_screen)
-        painter.end()
 
     def _frame(self) -> Frame:
         selection = self._selection
@@ -201,7 +203,7 @@ class Canvas(PlaneView):
 
     # Following the model
 
-    def _view_changed(self) -> None:
+    def _view_changed(self, *_: Any) -> None:
         self._hover()
         self.viewport().update()
 
@@ -217,12 +219,14 @@ class Canvas(PlaneView):
     def changeEvent(self, event: QEvent) -> None:
         """Repaint in the colours of another theme."""
         super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_legend"):
             self.viewport().update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep what was fitted fitted, and the legend top centre."""
         super().resizeEvent(event)
+        if self.closed or not hasattr(self, "_legend"):
+            return
         if self.fitted:
             self.fit()
         self._legend.resize(self._legend.sizeHint())
@@ -348,7 +352,7 @@ class Canvas(PlaneView):
             )
             QToolTip.showText(event.globalPos(), reason, self)
             return True
-        return super().viewportEvent(event)
+        return bool(super().viewportEvent(event))
 
     def leaveEvent(self, event: QEvent) -> None:
         """Nothing is hovered outside."""
@@ -375,7 +379,7 @@ class Canvas(PlaneView):
     def focusNextPrevChild(self, forward: bool) -> bool:
         """Leave Tab to the tool, as long as there are control points to step through."""
         item = self._selection.item
-        return (item is None or item.locked or not item.visible) and super().focusNextPrevChild(forward)
+        return (item is None or item.locked or not item.visible) and bool(super().focusNextPrevChild(forward))
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
         """Space let go: the mouse edits again."""

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QResizeEvent, QWheelEvent
-from PySide6.QtWidgets import QAbstractScrollArea, QFrame, QWidget
+import pyqtgraph as pg
+from PySide6.QtCore import QEvent, QRectF, Qt, QTimer
+from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QWheelEvent
+from PySide6.QtWidgets import QWidget
 
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.model import unbreakable
@@ -21,22 +22,17 @@ WIDEST = 1e13
 
 
 @unbreakable
-class PlaneView(QAbstractScrollArea):
+class PlaneView(pg.GraphicsView):
     """Part of the plane, the same scale on both axes. What is drawn there is up to the canvas."""
 
-    view_changed = Signal()
-
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(parent, useOpenGL=False)
         self.fitted = True
         """Whether what was fitted is to stay fitted when the widget is resized."""
-        self._area = (0.0, 0.0, 1.0, 1.0)
-        """Middle, width and height of what is to be seen, in units. It all stays in view when the widget is resized."""
-        self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.viewport().setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self.viewport().setMouseTracking(True)
+        self.box = pg.ViewBox(lockAspect=True, enableMouse=False, enableMenu=False, defaultPadding=0)
+        self.setCentralItem(self.box)
+        self.setCacheMode(self.CacheModeFlag.CacheNone)
+        self.setViewportUpdateMode(self.ViewportUpdateMode.FullViewportUpdate)
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(REST)
@@ -50,24 +46,21 @@ class PlaneView(QAbstractScrollArea):
     @property
     def plane(self) -> Viewport:
         """Which part of the plane is visible."""
-        x, y, wide, high = self._area
-        width, height = float(max(self.width(), 1)), float(max(self.height(), 1))
-        return Viewport(x, y, min(width / wide, height / high), width, height)
+        area = self.box.viewRect()
+        size = self.box.rect()
+        width, height = max(size.width(), 1.0), max(size.height(), 1.0)
+        centre = area.center()
+        return Viewport(centre.x(), centre.y(), width / area.width(), width, height)
 
     def show_view(self, x: float, y: float, scale: float) -> None:
         """Show the plane around a point, at a scale in pixels per unit, within what floats can resolve."""
-        plane = self.plane
+        size = self.box.rect()
         finest = max(1e-9, 1e-11 * max(abs(x), abs(y)))
-        wide = min(max(plane.width / scale, finest), WIDEST)
+        width = min(max(size.width() / scale, finest), WIDEST)
         x, y = (min(max(v, -MAX_COORDINATE), MAX_COORDINATE) for v in (x, y))
+        height = width * size.height() / size.width()
         self.fitted = False
-        self._area = x, y, wide, wide * plane.height / plane.width
-        self.view_changed.emit()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Another part of the plane is seen in another size."""
-        super().resizeEvent(event)
-        self.view_changed.emit()
+        self.box.setRange(QRectF(x - width / 2, y - height / 2, width, height), padding=0)
 
     def zoom(self, factor: float, at: Floats | None = None) -> None:
         """Enlarge by `factor`, keeping the point at pixel `at` (default the middle) where it is."""
@@ -112,7 +105,7 @@ class PlaneView(QAbstractScrollArea):
     def viewportEvent(self, event: QEvent) -> bool:
         """Zoom where two fingers are spread or pinched on a touchpad."""
         if not isinstance(event, QNativeGestureEvent):
-            return super().viewportEvent(event)
+            return bool(super().viewportEvent(event))
         if event.gestureType() == Qt.NativeGestureType.ZoomNativeGesture:
             position = event.position()
             self.zoom(max(1.0 + event.value(), 0.1), np.array([position.x(), position.y()]))

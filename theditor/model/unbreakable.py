@@ -9,6 +9,8 @@ from typing import Any, TypeVar
 
 Widget = TypeVar("Widget", bound=type)
 
+_PAINTS = ("paint", "drawBackground", "drawForeground")
+
 
 def unbreakable(widget: Widget) -> Widget:
     """Send errors in a class's own event handlers to `sys.excepthook`, as errors in slots go there.
@@ -18,7 +20,7 @@ def unbreakable(widget: Widget) -> Widget:
     dealt with its event.
     """
     for name, method in vars(widget).items():
-        if callable(method) and (name in ("paint", "event") or name.endswith("Event")):
+        if callable(method) and (name in _PAINTS or name == "event" or name.endswith("Event")):
             setattr(widget, name, _caught(method))
     return widget
 
