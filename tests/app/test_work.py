@@ -250,3 +250,30 @@ def test_a_stroke_that_is_called_off_is_gone_and_one_under_way_is_asked_about(
     assert not window.close()
     assert len(asked) == 1
     assert len(window.document.drawing) == 2
+
+
+def test_an_edit_that_cannot_be_says_why(window, qtbot):
+    window.actions_by_name["close_or_open"].trigger()
+    before = window.document.drawing
+    assert before[0].curve.closed
+    window.selection.select(points=[2, 4])
+    window.actions_by_name["close_or_open"].trigger()
+    assert window.announced.startswith("Select one control point, or two segments that meet")
+    assert window.document.drawing is before
+
+
+def test_ends_of_many_curves_are_changed_beside_the_window(window, qtbot):
+    window.actions_by_name["add"].trigger()
+    for _ in range(3):
+        window.selection.select_across(dict.fromkeys(range(len(window.document.drawing)), ()))
+        window.actions_by_name["duplicate"].trigger()
+    window.selection.select_across(dict.fromkeys(range(len(window.document.drawing)), ()))
+    before = window.document.drawing
+    ends = window.curve.ends
+    ends.activated.emit(1 - ends.currentIndex())
+    assert window.document.drawing is before
+    qtbot.waitUntil(lambda: idle(window))
+    assert len({item.curve.ends for item in window.document.drawing}) == 1
+    assert f"{len(before)} curves" in window.announced
+    window.document.undo()
+    assert window.document.drawing == before

@@ -147,9 +147,9 @@ class Editing(RuleBasedStateMachine):
     @rule(ends=st.sampled_from(["free", "clamped", "closed"]))
     def reshape(self, ends):
         if ends == "closed":
-            reshape.close(self.document, self.selection)
+            reshape.close(self.document, self.selection, str)
         else:
-            reshape.set_ends(self.document, self.selection, ends)
+            reshape.set_ends(self.document, self.selection, ends, str)
 
     @precondition(lambda self: len(self.drawing) > 1)
     @rule(pick=picks, place=picks)

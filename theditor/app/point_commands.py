@@ -59,14 +59,19 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
     """The rows of the table of commands that edit control points."""
     model = window.document, window.selection
 
-    def said(edit: Callable[[], str]) -> Callable[[], None]:
+    def told(edit: Callable[[Callable[[str], None]], None]) -> Callable[[], None]:
+        """An edit that tells what happened, or why it cannot be."""
+
         def run() -> None:
             try:
-                window.announce(edit())
+                edit(window.announce)
             except ValueError as error:
                 window.announce(sentence(str(error)))
 
         return run
+
+    def said(edit: Callable[[], str]) -> Callable[[], None]:
+        return told(lambda tell: tell(edit()))
 
     def arranged(title: str, how: arrange.Arrange) -> Callable[[], None]:
         return lambda: arrange.arrange(*model, title, how)
@@ -109,7 +114,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             "Point",
             "&Insert control point",
             "Insert a control point into each selected segment, or beside the selected points, with the shape kept",
-            lambda: points.insert(*model, window.announce),
+            told(lambda tell: points.insert(*model, tell)),
             ("Ins",),
             has_part,
             on_canvas=True,
@@ -121,7 +126,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             "Point",
             "De&lete control points",
             "Remove the selected control points and refit their neighbours; the curve goes if too few would stay",
-            lambda: points.remove(*model, window.announce, refit=True),
+            told(lambda tell: points.remove(*model, tell, refit=True)),
             ("Delete", "Backspace"),
             has_points,
             on_canvas=True,
@@ -133,7 +138,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             "Point",
             "Delete, leave the &others",
             "Remove the selected control points and move no other; the curve goes if too few would stay",
-            lambda: points.remove(*model, window.announce, refit=False),
+            told(lambda tell: points.remove(*model, tell, refit=False)),
             ("Ctrl+Delete",),
             has_points,
             on_canvas=True,
@@ -230,7 +235,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             "Curve/Pieces",
             "Cl&ose or open",
             "Close the curve or, if it is closed, open it at the selected joint; the shape is kept as well as possible",
-            said(lambda: pieces.close_or_open(*model)),
+            told(lambda tell: pieces.close_or_open(*model, tell)),
             enabled=can_edit,
             places=("curve",),
         ),
@@ -239,7 +244,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             "Curve/Pieces",
             "Cla&mp or free the ends",
             "End at the outer control points or, if that is so, freely; the shape is kept as well as possible",
-            said(lambda: pieces.clamp_or_free(*model)),
+            told(lambda tell: pieces.clamp_or_free(*model, tell)),
             enabled=can_edit,
             places=("curve",),
         ),
@@ -248,7 +253,7 @@ def point_commands(window: MainWindow) -> tuple[Command, ...]:
             "Curve/Pieces",
             "Chan&ge degree",
             "Make a cubic curve quadratic, a quadratic one cubic; the shape is kept as well as possible",
-            lambda: pieces.change_degree(*model, window.announce),
+            told(lambda tell: pieces.change_degree(*model, tell)),
             enabled=can_edit,
             places=("curve",),
         ),

@@ -96,12 +96,13 @@ def _nearest_ends(drawing: Drawing, index: int, others: Iterable[int]) -> tuple[
     return best[1:]
 
 
-def close_or_open(document: Document, selection: Selection) -> str:
+def close_or_open(document: Document, selection: Selection, tell: Callable[[str], None]) -> None:
     """Close the selected curves or, if the current one is closed, open that at the selected joint or its beginning."""
     curve = _current(selection).curve
     if curve.closed:
-        return _open(document, selection, _joint(curve, selection) if selection.points else 0)
-    return reshape.close(document, selection)
+        tell(_open(document, selection, _joint(curve, selection) if selection.points else 0))
+    else:
+        reshape.close(document, selection, tell)
 
 
 def _open(document: Document, selection: Selection, joint: int) -> str:
@@ -112,11 +113,11 @@ def _open(document: Document, selection: Selection, joint: int) -> str:
     return f"Opened the curve; {shape_changed(deviation, curve)}"
 
 
-def clamp_or_free(document: Document, selection: Selection) -> str:
+def clamp_or_free(document: Document, selection: Selection, tell: Callable[[str], None]) -> None:
     """Clamp the ends of the selected curves or, if the current one's are clamped, free them."""
     curve = _current(selection).curve
     clamped = curve.ends == "clamped" and not curve.closed
-    return reshape.set_ends(document, selection, "free" if clamped else "clamped")
+    reshape.set_ends(document, selection, "free" if clamped else "clamped", tell)
 
 
 def change_degree(document: Document, selection: Selection, tell: Callable[[str], None]) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from theditor.drawing import Drawing
 from theditor.model.document import Document
 from theditor.model.long_edits import edit_curves, named
 from theditor.model.selection import Selection
@@ -15,41 +14,33 @@ from theditor.spline.points import Edited
 
 AT_ONCE = 4000
 """When curves have more control points than this together, refitting them is long work."""
+FEW = 5
+"""The same for more curves than this."""
+
+Tell = Callable[[str], None]
 
 
-def set_degree(document: Document, selection: Selection, degree: int, tell: Callable[[str], None]) -> None:
+def set_degree(document: Document, selection: Selection, degree: int, tell: Tell) -> None:
     """Make the selected curves quadratic or cubic, with all points refitted; tell how well it went."""
-    document.settle()
     kind = "quadratic" if degree == 2 else "cubic"
-    drawing, chosen = document.drawing, _editable(document.drawing, selection)
-    if not chosen:
-        return
-
-    def refit(report: Report) -> dict[int, Edited]:
-        edited = {}
-        for number, i in enumerate(chosen):
-            report(number / len(chosen))
-            edited[i] = with_degree(drawing[i].curve, degree)
-        return edited
-
-    def finish(edited: dict[int, Edited]) -> str:
-        return _replace(document, selection, edited, f"Make {{}} {kind}", f"Made {{}} {kind}")
-
-    long = sum(len(drawing[i].curve.lambdas) for i in chosen) > AT_ONCE
-    edit_curves(document, chosen, f"Making {named(drawing, chosen)} {kind}", refit, finish, tell, long=long)
+    words = f"Make {{}} {kind}", f"Making {{}} {kind}", f"Made {{}} {kind}"
+    _reshape(document, selection, lambda curve: with_degree(curve, degree), words, tell)
 
 
-def close(document: Document, selection: Selection) -> str:
-    """Close the selected curves."""
-    return _reshape(document, selection, lambda curve: with_ends(curve, True), "Close {}", "Closed {}")
+def close(document: Document, selection: Selection, tell: Tell) -> None:
+    """Close the selected curves; tell how well it went."""
+    words = "Close {}", "Closing {}", "Closed {}"
+    _reshape(document, selection, lambda curve: with_ends(curve, True), words, tell)
 
 
-def set_ends(document: Document, selection: Selection, ends: Ends) -> str:
+def set_ends(document: Document, selection: Selection, ends: Ends, tell: Tell) -> None:
     """Clamp or free the ends of the selected curves; closed ones are opened where they begin."""
-    text, told = (
-        ("Clamp {}", "Clamped {}") if ends == "clamped" else ("Free ends of {}", "Freed the ends of {}")
+    words = (
+        ("Clamp {}", "Clamping {}", "Clamped {}")
+        if ends == "clamped"
+        else ("Free ends of {}", "Freeing the ends of {}", "Freed the ends of {}")
     )
-    return _reshape(document, selection, lambda curve: with_ends(curve, False, ends), text, told)
+    _reshape(document, selection, lambda curve: with_ends(curve, False, ends), words, tell)
 
 
 def reverse(document: Document, selection: Selection) -> str:
@@ -74,27 +65,39 @@ def reverse(document: Document, selection: Selection) -> str:
 
 
 def _reshape(
-    document: Document, selection: Selection, edit: Callable[[Curve], Edited], text: str, told: str
-) -> str:
-    """Edit the selected curves that are not locked."""
+    document: Document,
+    selection: Selection,
+    edit: Callable[[Curve], Edited],
+    words: tuple[str, str, str],
+    tell: Tell,
+) -> None:
+    """Edit the selected curves that are not locked.
+
+    Segments and points selected on them go, as they are others. The words are those for the undo step, for what
+    is going on, and for what was done; ``{}`` stands for the curves.
+    """
     document.settle()
     drawing = document.drawing
-    edited = {i: edit(drawing[i].curve) for i in _editable(drawing, selection)}
-    return _replace(document, selection, edited, text, told) if edited else ""
+    chosen = [i for i in selection.curves if not drawing[i].locked]
+    if not chosen:
+        return
+    step, doing, done = words
 
+    def edit_all(report: Report) -> dict[int, Edited]:
+        edited = {}
+        for number, i in enumerate(chosen):
+            report(number / len(chosen))
+            edited[i] = edit(drawing[i].curve)
+        return edited
 
-def _replace(
-    document: Document, selection: Selection, edited: dict[int, Edited], text: str, told: str
-) -> str:
-    """Put edited curves in their places; segments and points selected on them go, as they are others."""
-    drawing = document.drawing
-    new = {i: result.curve for i, result in edited.items()}
-    document.apply(text.format("curve" if len(new) == 1 else f"{len(new)} curves"), drawing.with_curves(new))
-    if not new.keys().isdisjoint(selection.curves):
-        selection.select_across(dict.fromkeys(selection.curves, ()), segments=())
-    deviation = max(result.deviation for result in edited.values())
-    return f"{told.format(named(drawing, new))}; {shape_changed(deviation, *new.values())}"
+    def finish(edited: dict[int, Edited]) -> str:
+        new = {i: result.curve for i, result in edited.items()}
+        of = "curve" if len(new) == 1 else f"{len(new)} curves"
+        document.apply(step.format(of), document.drawing.with_curves(new))
+        if not new.keys().isdisjoint(selection.curves):
+            selection.select_across(dict.fromkeys(selection.curves, ()), segments=())
+        deviation = max(result.deviation for result in edited.values())
+        return f"{done.format(named(drawing, chosen))}; {shape_changed(deviation, *new.values())}"
 
-
-def _editable(drawing: Drawing, selection: Selection) -> list[int]:
-    return [i for i in selection.curves if not drawing[i].locked]
+    long = len(chosen) > FEW or sum(len(drawing[i].curve.lambdas) for i in chosen) > AT_ONCE
+    edit_curves(document, chosen, doing.format(named(drawing, chosen)), edit_all, finish, tell, long=long)

@@ -151,21 +151,22 @@ class CurvePanel(QWidget):
             self._set_style("Change line width", merge=self._selection.curves, width=width)
 
     def _set_degree(self, choice: int) -> None:
-        reshape.set_degree(self._document, self._selection, list(_DEGREES)[choice], self._tell)
-        self._shown_kind = None  # long work may go on, which can be called off
-        if self._item is not None:
-            self._show_kind(self._item.curve)
+        reshape.set_degree(self._document, self._selection, list(_DEGREES)[choice], self.announce.emit)
+        self._show_what_is()
 
     def _set_ends(self, choice: int) -> None:
         chosen = _ENDS[choice]
         if chosen.closed:
-            self._tell(reshape.close(self._document, self._selection))
+            reshape.close(self._document, self._selection, self.announce.emit)
         else:
-            self._tell(reshape.set_ends(self._document, self._selection, chosen.ends))
+            reshape.set_ends(self._document, self._selection, chosen.ends, self.announce.emit)
+        self._show_what_is()
 
-    def _tell(self, told: str) -> None:
-        if told:
-            self.announce.emit(told)
+    def _show_what_is(self) -> None:
+        """Show degree and ends as they are: an edit may still go on, and can be called off."""
+        self._shown_kind = None
+        if self._item is not None:
+            self._show_kind(self._item.curve)
 
     def choose_colour(self) -> None:
         """Ask for another colour of the selected curves."""
