@@ -9,9 +9,8 @@ So a picture costs as many lines as the eye can tell apart, not as many as the d
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from operator import is_
 from typing import NamedTuple
 
 import numpy as np
@@ -29,6 +28,8 @@ STEPS = 8
 """Into so many steps each segment is cut to measure how far it strays from its chords."""
 CUTS = (1, 2)
 """Numbers of chords in place of one segment for which that is measured."""
+BLOCK = 8192
+"""So many segments are measured at a time, as their numbers stay in the processor's cache."""
 MIXED = -1
 """The mode of a run of segments that have different ones."""
 
@@ -89,7 +90,7 @@ class ChordTree:
         self._owner = np.repeat(np.arange(len(curves)), counts)
         total = int(self._begins[-1])
         self._turning = np.empty(total)
-        self._strays = np.empty((total, len(CUTS)))
+        self._strays = np.empty((len(CUTS), total))
         self._ends = np.empty((4, total))
         every = np.arange(total)
         codes = np.concatenate([np.empty(0, dtype=np.int8), *(curve.mode_codes for curve in curves)])
@@ -111,10 +112,6 @@ class ChordTree:
         """Width and height of the box around each curve, (2, curves)."""
         return self._levels[-1].high - self._levels[-1].low
 
-    def stands_over(self, curves: Sequence[Curve]) -> bool:
-        """Whether it is the tree over just these curves."""
-        return len(curves) == len(self._curves) and all(map(is_, curves, self._curves))
-
     def follow(self, curves: Sequence[Curve]) -> bool:
         """Become the tree over other curves by changing what differs; returns False where too much does."""
         if len(curves) != len(self._curves):
@@ -126,14 +123,14 @@ class ChordTree:
                 if segments is None:
                     return False
                 count += len(segments)
-                if 8 * count > self.size:
+                if 2 * count > self.size:
                     return False
                 rows.append(segments + self._begins[place])
                 patches.append((new, segments))
         changed = np.concatenate([np.empty(0, dtype=np.intp), *rows])
         for where, (curve, segments) in zip(rows, patches, strict=True):
             for mine, new_part in zip(self._parts, joints.take_segments(curve, segments), strict=True):
-                mine[..., where] = new_part
+                _put(np.atleast_2d(mine), where, np.atleast_2d(new_part))
             self._levels[0].code[where] = curve.codes_of(segments)
         self._curves = list(curves)
         self._measure(changed)
@@ -145,22 +142,29 @@ class ChordTree:
 
     def _measure(self, rows: Ints) -> None:
         """Compute boxes, ends and bounds of some leaves."""
-        leaves = self._levels[0]
         for degree in (2, 3):
-            own = rows[self._cubic[rows] == (degree == 3)]
-            if len(own):
-                parts = self._parts if len(own) == len(self._owner) else self._parts.take(own)
-                samples = sample_parts(parts, degree, np.full(len(own), STEPS))
-                points = samples.points.T.reshape(2, len(own), STEPS + 1)
-                points = np.ascontiguousarray(points.transpose(2, 0, 1))
-                self._ends[:2, own], self._ends[2:, own] = points[0], points[-1]
-                self._turning[own] = turning = enclosures.turning(parts, degree)
-                unseen = turning / (8 * STEPS**2)  # how far it may be from the chords between the points
-                leaves.low[:, own] = points.min(axis=0) - unseen
-                leaves.high[:, own] = points.max(axis=0) + unseen
-                for column, steps in enumerate(CUTS):
-                    self._strays[own, column] = _stray(points, steps) + unseen
-        leaves.strays[rows] = self._strays[rows, 0]
+            own = rows[self._cubic.take(rows) == (degree == 3)]
+            for begin in range(0, len(own), BLOCK):
+                self._measure_block(own[begin : begin + BLOCK], degree)
+
+    def _measure_block(self, own: Ints, degree: int) -> None:
+        """Compute boxes, ends and bounds of some leaves of one degree."""
+        leaves, parts = self._levels[0], self._parts_of(own)
+        samples = sample_parts(parts, degree, np.full(len(own), STEPS))
+        points = samples.points.T.reshape(2, len(own), STEPS + 1)
+        points = np.ascontiguousarray(points.transpose(2, 0, 1))
+        turning = enclosures.turning(parts, degree)
+        unseen = turning / (8 * STEPS**2)  # how far it may be from the chords between the points
+        strays = [_stray(points, steps) + unseen for steps in CUTS]
+        self._turning[own], leaves.strays[own] = turning, strays[0]
+        _put(self._strays, own, strays)
+        _put(self._ends, own, (*points[0], *points[-1]))
+        _put(leaves.low, own, points.min(axis=0) - unseen)
+        _put(leaves.high, own, points.max(axis=0) + unseen)
+
+    def _parts_of(self, leaves: Ints) -> joints.Segments:
+        """Some leaves in joint form."""
+        return joints.Segments(*(part.take(leaves, axis=-1) for part in self._parts))
 
     def _grow(self, counts: Ints) -> None:
         """Add the level over the last one, in which the curves have that many nodes each."""
@@ -196,16 +200,22 @@ class ChordTree:
         A child's chord is nowhere farther from the chord over both than where the two children meet, so what
         they stray from their own adds up with that.
         """
-        children, level = self._levels[below], self._levels[below + 1]
+        for begin in range(0, len(nodes), BLOCK):
+            self._combine_block(self._levels[below], self._levels[below + 1], nodes[begin : begin + BLOCK])
+
+    def _combine_block(self, children: Level, level: Level, nodes: Ints) -> None:
         left, right = level.left[nodes], level.right[nodes]
-        level.low[:, nodes] = np.minimum(children.low[:, left], children.low[:, right])
-        level.high[:, nodes] = np.maximum(children.high[:, left], children.high[:, right])
-        start, middle = self._ends[:2, level.first[nodes]], self._ends[2:, children.last[left]]
-        end = self._ends[2:, level.last[nodes]]
-        apart = np.where(left == right, 0.0, _distances(middle, start, end))
+        low = np.minimum(children.low.take(left, axis=1), children.low.take(right, axis=1))
+        high = np.maximum(children.high.take(left, axis=1), children.high.take(right, axis=1))
+        starts, ends = self._ends[:2], self._ends[2:]
+        start, middle = starts.take(level.first[nodes], axis=1), ends.take(children.last[left], axis=1)
+        apart = _distances(middle, start, ends.take(level.last[nodes], axis=1))
+        apart[left == right] = 0.0
         level.strays[nodes] = np.maximum(children.strays[left], children.strays[right]) + apart
         one, other = children.code[left], children.code[right]
         level.code[nodes] = np.where(one == other, one, MIXED)
+        _put(level.low, nodes, low)
+        _put(level.high, nodes, high)
 
     def chords(
         self,
@@ -299,8 +309,7 @@ class ChordTree:
             for count in distinct(counts).tolist():
                 own = leaves[(counts == count) & (self._cubic[leaves] == (degree == 3))]
                 if len(own):
-                    parts = joints.Segments(*(part.take(own, axis=-1) for part in self._parts))
-                    samples = sample_parts(parts, degree, np.full(len(own), count))
+                    samples = sample_parts(self._parts_of(own), degree, np.full(len(own), count))
                     x, y = samples.points.T.reshape(2, len(own), count + 1)
                     pieces = np.stack((x[:, :-1], y[:, :-1], x[:, 1:], y[:, 1:]), axis=2)
                     lines.append(pieces.reshape(-1, 4))
@@ -323,7 +332,7 @@ class ChordTree:
         """Into how many steps of t to cut some leaves: as few as were measured to do, else as the bound says."""
         steps = intervals_within(self._turning[leaves], tolerance)
         for column, few in reversed(tuple(enumerate(CUTS))):
-            steps[self._strays[leaves, column] <= tolerance] = few
+            steps[self._strays[column, leaves] <= tolerance] = few
         return steps
 
 
@@ -339,26 +348,33 @@ def _between(one: Floats, other: Floats, low: Floats, high: Floats) -> Flags:
     return between
 
 
+def _put(rows: Floats, places: Ints, values: Iterable[Floats]) -> None:
+    """Write values into some places of each row; NumPy takes longer over all rows at once."""
+    for row, new in zip(rows, values, strict=True):
+        row[places] = new
+
+
 def _stray(points: Floats, steps: int) -> Floats:
     """How far points along segments, (STEPS + 1, 2, k), stray from the chords over `steps` equal steps."""
     stride = STEPS // steps
-    farthest = np.zeros(points.shape[2])
-    for j in range(1, STEPS):
-        if j % stride:
-            before = j - j % stride
-            away = _distances(points[j], points[before], points[before + stride])
-            np.maximum(farthest, away, out=farthest)
+    inner = points[:-1].reshape(steps, stride, 2, -1)[:, 1:]
+    farthest: Floats = _distances(inner, points[:-1:stride, None], points[stride::stride, None]).max(
+        axis=(0, 1)
+    )
     return farthest
 
 
 def _distances(points: Floats, start: Floats, end: Floats) -> Floats:
-    """The distance of each point, (2, n), from its own straight line between two ends."""
-    x, y = points - start
-    dx, dy = end - start
+    """The distance of each point, (…, 2, n), from its own straight line between two ends."""
+    away, along = points - start, end - start
+    x, y, dx, dy = away[..., 0, :], away[..., 1, :], along[..., 0, :], along[..., 1, :]
     squares = dx * dx + dy * dy
-    t = np.divide(x * dx + y * dy, squares, out=np.zeros_like(squares), where=squares > 0)
+    t = x * dx + y * dy
+    t *= np.divide(1.0, squares, out=np.zeros_like(squares), where=squares > 1e-300)
     np.clip(t, 0.0, 1.0, out=t)
     x -= t * dx
     y -= t * dy
-    distances: Floats = np.sqrt(x * x + y * y)
-    return distances
+    x *= x
+    y *= y
+    x += y
+    return np.sqrt(x, out=x)

@@ -31,6 +31,9 @@ CROWDED = 10_000
 CROWDED_TOLERANCE = 0.25
 """So many pixels they may then be away from the curve."""
 
+MOST_KEPT = 400_000
+"""Of so many segments the trees are kept for going back to former drawings: some 110 MB at most."""
+
 
 class CurvesPainter:
     """Draws the visible curves of a drawing, and finds what of them lies where."""
@@ -39,7 +42,9 @@ class CurvesPainter:
         self._places: dict[int, int] = {}
         self._sources: list[Curve] = []
         self._curves: list[Curve] = []
-        self._tree = self._former = ChordTree([])
+        self._tree = ChordTree([])
+        self._former: list[ChordTree] = []
+        """Trees over drawings that were left, the last one first, for going back to them."""
         self._passing = False
         self.handles = Held(Drawing(), {})
         """All control points of the visible curves."""
@@ -47,7 +52,7 @@ class CurvesPainter:
     def update(self, drawing: Drawing, *, passing: bool = False) -> None:
         """Follow the drawing; costs what has changed since the last time.
 
-        The tree over the last drawing that was not just `passing` is kept for going back to it.
+        Trees over the last drawings that were not just `passing` are kept for going back to them.
         """
         visible = [i for i, item in enumerate(drawing) if item.visible]
         sources = [drawing[i].curve for i in visible]
@@ -58,14 +63,22 @@ class CurvesPainter:
         kept = {id(source): plane for source, plane in zip(self._sources, self._curves, strict=True)}
         curves = [kept.get(id(source)) or projected(source) for source in sources]
         if not self._tree.follow(curves):
-            former = self._former
-            if not self._passing:
-                self._former = self._tree
-            self._tree = former if former.stands_over(curves) else ChordTree(curves)
+            self._leave(curves)
         self._passing = passing
         self._places = {i: place for place, i in enumerate(visible)}
         self._sources, self._curves = sources, curves
         self.handles = Held(drawing, {i: np.arange(len(drawing[i].curve.control_points)) for i in visible})
+
+    def _leave(self, curves: list[Curve]) -> None:
+        """Take up a former tree that can follow the curves, or else a new one."""
+        former = [*([] if self._passing else [self._tree]), *self._former]
+        self._tree = next((tree for tree in self._former if tree.follow(curves)), None) or ChordTree(curves)
+        sizes = np.cumsum([tree.size for tree in former])
+        self._former = [
+            tree
+            for tree, size in zip(former, sizes.tolist(), strict=True)
+            if size <= MOST_KEPT and tree is not self._tree
+        ]
 
     def plane_curve(self, index: int) -> Curve:
         """Curve `index` as it is seen; it must be visible."""
