@@ -32,6 +32,7 @@ from PySide6.QtWidgets import QApplication
 
 from theditor.app.main_window import MainWindow
 from theditor.app.theme import Theme, apply_theme
+from theditor.spline import points
 
 NO_BUTTON = Qt.MouseButton.NoButton
 
@@ -213,29 +214,73 @@ def test_starting_a_drag(desks, report):
     report(f"{name}: starting a drag {start / anew:.2f} ({start * 1e3:.1f} ms)")
 
 
+def changes(drawing):
+    """Drawings that differ in little and in much."""
+    curve, rng = drawing[0].curve, np.random.default_rng(0)
+    count = len(curve.control_points)
+    some = np.sort(rng.choice(count, min(1000, count // 2), replace=False))
+    yield "one point", drawing.with_curve(0, curve.with_points([50], [[0.0, 0.0]]))
+    yield (
+        "1,000 scattered points",
+        drawing.with_curve(0, curve.with_points(some, curve.control_points[some] + 0.1)),
+    )
+    every = [item.curve for item in drawing]
+    for what, change in (
+        ("every point", lambda c: c.with_points(range(len(c.lambdas)), c.control_points + 0.1)),
+        ("every λ", lambda c: c.with_lambdas(range(len(c.lambdas)), 0.3)),
+        ("the degree", lambda c: c.with_(degree=5 - c.degree)),
+    ):
+        yield what, drawing.with_curves(dict(enumerate(map(change, every))))
+    yield "1,000 scattered points gone", drawing.with_curve(0, points.remove(curve, some).curve)
+    yield (
+        "a point more in the middle",
+        drawing.with_curve(0, points.insert(curve, curve.segment_count / 2).curve),
+    )
+
+
 def test_undoing(desks, report):
     name, _, large = desks
-    document, curve = large.window.document, large.curve
-    rng = np.random.default_rng(0)
-    some = rng.choice(len(curve.control_points), 1000 if name != "many" else 50, replace=False)
-    for text, new in (
-        ("one point", curve.with_points([50], [[0.0, 0.0]])),
-        ("many points", curve.with_points(some, curve.control_points[some] + 0.1)),
-        ("every λ", curve.with_lambdas(range(len(curve.lambdas)), 0.3)),
-    ):
+    document = large.window.document
 
-        def undo():
-            document.undo()
-            large.frame()
-
-        def prepare(text=text, new=new):
-            if large.curve is not new:
-                document.apply_curve(text, 0, new)
-            large.frame()
-
-        anew, undone = frames(large.paint_anew, undo, prepare=prepare)
+    def undo():
         document.undo()
-        report(f"{name}: undo of {text} {undone / anew:.2f} ({undone * 1e3:.1f} ms)")
+        large.frame()
+
+    def redo():
+        document.redo()
+        large.frame()
+
+    for text, new in changes(document.drawing):
+        document.apply(text, new)
+        large.frame()
+        anew, undone, redone = frames(large.paint_anew, undo, redo, rounds=6)
+        document.undo()
+        report(
+            f"{name}: undo, redo of {text} {undone / anew:.2f}, {redone / anew:.2f} ({undone * 1e3:.1f} ms)"
+        )
+
+
+def test_undoing_many_steps(desks, report):
+    """Each step changed everything; of several steps the slowest counts."""
+    name, _, large = desks
+    document = large.window.document
+    for _ in range(3):
+        every = {
+            i: item.curve.with_points(range(len(item.curve.lambdas)), item.curve.control_points * 1.01)
+            for i, item in enumerate(document.drawing)
+        }
+        document.apply("Grow", document.drawing.with_curves(every))
+        large.frame()
+
+    def go(step):
+        step()
+        large.frame()
+
+    works = [partial(go, step) for step in (document.undo, document.redo) for _ in range(3)]
+    anew, *times = frames(large.paint_anew, *works, rounds=6)
+    for _ in range(3):
+        document.undo()
+    report(f"{name}: undo, redo of three steps, each {max(times) / anew:.2f} ({max(times) * 1e3:.1f} ms)")
 
 
 def test_panning(desks, report):

@@ -80,6 +80,7 @@ class Canvas(PlaneView):
         self.setMouseTracking(True)
         self.setMinimumSize(240, 160)
         document.changed.connect(self._drawing_changed)
+        document.leaving.connect(self._curves.forget)
         selection.changed.connect(self._selection_changed)
 
     # Tools
@@ -138,10 +139,8 @@ class Canvas(PlaneView):
         """Leave the ground to the picture, which covers it."""
 
     def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
-        """Paint the picture: while the hand zooms as quickly as it can be, but for one who takes a copy exactly."""
-        screen = self.viewport().backingStore().paintDevice()
-        on_screen = painter.paintEngine().paintDevice() is screen
-        self._layers.paint(painter, self._frame(), zooming=self.zooming and on_screen)
+        """Paint the picture; who takes a copy of it gets it as it is when the hand rests."""
+        self._layers.paint(painter, self._frame(), zooming=self.zooming and self.is_screen(painter))
 
     def _frame(self) -> Frame:
         selection = self._selection

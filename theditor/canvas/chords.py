@@ -123,7 +123,7 @@ class ChordTree:
                 if segments is None:
                     return False
                 count += len(segments)
-                if 2 * count > self.size:
+                if 8 * count > self.size:
                     return False
                 rows.append(segments + self._begins[place])
                 patches.append((new, segments))

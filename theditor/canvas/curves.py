@@ -30,9 +30,8 @@ CROWDED = 10_000
 """In a drawing of more segments than this, lines may run over several of them more freely."""
 CROWDED_TOLERANCE = 0.25
 """So many pixels they may then be away from the curve."""
-
-MOST_KEPT = 400_000
-"""Of so many segments the trees are kept for going back to former drawings: some 110 MB at most."""
+MOST_KEPT = 300_000
+"""Trees over so many segments are kept for going back to former drawings; they take some 280 bytes each."""
 
 
 class CurvesPainter:
@@ -69,16 +68,19 @@ class CurvesPainter:
         self._sources, self._curves = sources, curves
         self.handles = Held(drawing, {i: np.arange(len(drawing[i].curve.control_points)) for i in visible})
 
+    def forget(self) -> None:
+        """Let go of former drawings, and of this one once another is shown: nobody goes back to them."""
+        self._former, self._passing = [], True
+
     def _leave(self, curves: list[Curve]) -> None:
         """Take up a former tree that can follow the curves, or else a new one."""
         former = [*([] if self._passing else [self._tree]), *self._former]
         self._tree = next((tree for tree in self._former if tree.follow(curves)), None) or ChordTree(curves)
-        sizes = np.cumsum([tree.size for tree in former])
-        self._former = [
-            tree
-            for tree, size in zip(former, sizes.tolist(), strict=True)
-            if size <= MOST_KEPT and tree is not self._tree
-        ]
+        self._former, size = [], 0
+        for tree in former:
+            if tree is not self._tree and size < MOST_KEPT:
+                self._former.append(tree)
+                size += tree.size
 
     def plane_curve(self, index: int) -> Curve:
         """Curve `index` as it is seen; it must be visible."""

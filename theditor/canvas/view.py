@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QRectF, Qt, QTimer
-from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QWheelEvent
+from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QPainter, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from theditor.canvas.viewport import Floats, Viewport
@@ -42,6 +42,11 @@ class PlaneView(pg.GraphicsView):
     def zooming(self) -> bool:
         """Whether the hand zooms; once it rests, the view is painted anew."""
         return self._rest.isActive()
+
+    def is_screen(self, painter: QPainter) -> bool:
+        """Whether what is painted goes to the screen, not into a copy that someone takes."""
+        store = self.viewport().backingStore()
+        return store is not None and painter.paintEngine().paintDevice() is store.paintDevice()
 
     @property
     def plane(self) -> Viewport:
