@@ -237,6 +237,27 @@ def test_what_changes_while_the_hand_zooms_is_drawn_exactly(canvas, hand, monkey
     assert not differing(on_screen(canvas), anew(canvas)).any()
 
 
+def test_going_back_and_forth_measures_no_curve_again(canvas, monkeypatch):
+    document, measured = canvas.document, []
+    shot(canvas._layers, canvas)
+    tree = curves.ChordTree
+    monkeypatch.setattr(curves, "ChordTree", lambda of: measured.append(1) or tree(of))
+    for factor in (1.1, 1.2, 1.3):
+        curve = document.drawing[0].curve
+        every = range(len(curve.control_points))
+        document.apply_curve("Grow", 0, curve.with_points(every, curve.control_points * factor))
+        shot(canvas._layers, canvas)
+    assert len(measured) == 3
+    for step in [document.undo] * 3 + [document.redo] * 3:
+        step()
+        shot(canvas._layers, canvas)
+    assert len(measured) == 3
+    document.start(document.drawing.with_curve(0, document.drawing[0].curve.with_(closed=True)))
+    shot(canvas._layers, canvas)
+    assert len(measured) == 4
+    assert not canvas._curves._former
+
+
 def test_what_is_hidden_under_the_pointer_is_gone(canvas, hand):
     drawing = canvas.document.drawing
     hand.move(drawing[1].curve(0.5))
