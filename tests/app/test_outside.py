@@ -195,7 +195,8 @@ def test_a_broken_file_is_told_and_the_drawing_stays(impatient, window, file, qt
     first = window.document.drawing
     file.write_text('{"format": "theditor", "version": 1, "curves": 7}')
     qtbot.waitUntil(lambda: "curves" in window.messages.text)
-    assert "Another program has changed “mine.json”. The drawing is as it was." in window.messages.text
+    assert "Another program has changed the file; the drawing here is as it was." in window.messages.text
+    assert window.messages.text.count("mine.json") == 1
     assert window.document.drawing is first
     assert window.isWindowModified()
     replace(file, shifted(first, 0.5))

@@ -99,7 +99,7 @@ def test_what_does_not_go_together_is_refused_before_anything_is_written(capsys,
 
     known = "svg, pdf, png, dxf, tex, csv"
     assert refused(copy, "-o", tmp_path / "a.bmp") == (
-        f"the suffix of {tmp_path / 'a.bmp'} is none of {known}: say --format"
+        f"{tmp_path / 'a.bmp'} does not end in one of {known}: say --format if it is one all the same"
     )
     assert refused(copy, "-o", "a", "--format", "bmp") == f"--format must be one of {known}, not 'bmp'"
     assert refused(copy, "-o", "-") == f"- has no suffix: say --format, one of {known}"

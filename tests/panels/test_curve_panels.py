@@ -335,3 +335,11 @@ def test_a_double_click_on_the_colour_asks_for_another(curves, document, three, 
         qtbot.mouseClick(curves.list.viewport(), LEFT, pos=at)
         qtbot.mouseDClick(curves.list.viewport(), LEFT, pos=at)
     assert curves.list.findChild(QLineEdit) is None
+
+
+def test_without_a_curve_the_width_is_empty_and_back_with_the_same_one(panel, document):
+    before = panel.width_field.text()
+    document.apply("Delete", Drawing())
+    assert panel.width_field.text() == ""
+    document.undo()
+    assert panel.width_field.text() == before

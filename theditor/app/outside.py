@@ -142,7 +142,7 @@ class Outside:
                 f"{_name(path)} has been deleted or moved. The drawing is still here: save it to keep it."
             )
         else:
-            self._tell(f"Another program has changed {_name(path)}. The drawing is as it was. {problem}")
+            self._tell(f"Another program has changed the file; the drawing here is as it was. {problem}")
 
     def _reload(self) -> None:
         try:

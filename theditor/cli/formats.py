@@ -26,7 +26,9 @@ def chosen_suffix(wanted: str | None, name: str, known: Sequence[str]) -> str:
         suffix, problem = "", f"- has no suffix: say --format, one of {names(known)}"
     else:
         suffix = Path(name).suffix.lower()
-        problem = f"the suffix of {shown(name)} is none of {names(known)}: say --format"
+        problem = (
+            f"{shown(name)} does not end in one of {names(known)}: say --format if it is one all the same"
+        )
     if suffix not in known:
         raise UsageError(problem)
     return suffix

@@ -189,6 +189,8 @@ class CurvePanel(QWidget):
         old, self._item = self._item, item
         if item is None:
             self.name.clear()
+            self.width_field.show_value(None)
+            self.width_field.lineEdit().setPlaceholderText("")
             self._shown_kind = None
         else:
             self._show_style(old, item)
