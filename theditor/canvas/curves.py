@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from operator import is_
 
 import numpy as np
@@ -15,7 +15,7 @@ from theditor.canvas.handles import FEW, MOST_IN_SQUARE, SQUARE
 from theditor.canvas.held import Held
 from theditor.canvas.lines import clipped, draw_lines
 from theditor.canvas.projection import projected
-from theditor.canvas.trace import TOLERANCE, Stroke, strokes
+from theditor.canvas.trace import TOLERANCE, Stroke, strokes, traced
 from theditor.canvas.viewport import Area, Floats, Viewport
 from theditor.drawing import Drawing, Item
 from theditor.model.colours import Colours
@@ -170,43 +170,43 @@ class CurvesPainter:
                     painter.setPen(curve_pen(colours.of_mode(MODES[code]), item.width))
                     draw_lines(painter, lines[own].take(np.flatnonzero(codes[own] == code), axis=0))
             else:
-                style = item.color, item.width
-                pen = pens.get(style) or pens.setdefault(
-                    style, curve_pen(_legible(item, colours), item.width)
-                )
-                painter.setPen(pen)
+                painter.setPen(_pen_of(item, colours, pens))
                 draw_lines(painter, lines[own])
         return len(lines)
 
 
 def paint_segments(
-    painter: QPainter,
-    item: Item,
-    curve: Curve,
-    segments: Ints,
-    viewport: Viewport,
-    colours: Colours,
-    *,
-    by_mode: bool,
+    painter: QPainter, parts: Sequence[tuple[Item, Curve, Ints]], viewport: Viewport, colours: Colours
 ) -> None:
-    """Paint some segments of one item's plane curve as `CurvesPainter.paint` does all."""
+    """Paint some segments of items' plane curves in their own colours, as `CurvesPainter.paint` does all."""
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    margin = 8.0 + max((item.width for item, *_ in parts), default=0.0) / 2
+    pens: dict[tuple[str, float], QPen] = {}
+    for (item, *_), lines in zip(parts, traced([part[1:] for part in parts], viewport, margin), strict=True):
+        painter.setPen(_pen_of(item, colours, pens))
+        draw_lines(painter, lines)
+
+
+def paint_modes(
+    painter: QPainter, item: Item, curve: Curve, segments: Ints, viewport: Viewport, colours: Colours
+) -> None:
+    """Paint some segments of an item's plane curve in the colours of their modes."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     for stroke in strokes(curve, viewport, segments, 8.0 + item.width / 2):
-        colour = colours.of_mode(MODES[stroke.code]) if by_mode else _legible(item, colours)
-        painter.setPen(curve_pen(colour, item.width))
+        painter.setPen(curve_pen(colours.of_mode(MODES[stroke.code]), item.width))
         draw_lines(painter, stroke.lines)
 
 
 def paint_ghost(
-    painter: QPainter, before: Curve, segments: Ints, viewport: Viewport, colours: Colours
+    painter: QPainter, parts: Sequence[tuple[Curve, Ints]], viewport: Viewport, colours: Colours
 ) -> None:
-    """Paint, faint, some segments of a plane curve as they were."""
+    """Paint, faint, some segments of plane curves as they were."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     faint = QColor(colours.secondary)
     faint.setAlpha(110)
     painter.setPen(QPen(faint, 1.0))
-    for stroke in strokes(before, viewport, segments):
-        draw_lines(painter, stroke.lines)
+    for lines in traced(parts, viewport):
+        draw_lines(painter, lines)
 
 
 def paint_halo(
@@ -227,6 +227,12 @@ def curve_pen(colour: str, width: float) -> QPen:
     pen = QPen(QColor(colour), width)
     pen.setCapStyle(Qt.PenCapStyle.SquareCap)
     return pen
+
+
+def _pen_of(item: Item, colours: Colours, pens: dict[tuple[str, float], QPen]) -> QPen:
+    """The pen for an item in its own colour; pens are kept for the next of the same style."""
+    style = item.color, item.width
+    return pens.get(style) or pens.setdefault(style, curve_pen(_legible(item, colours), item.width))
 
 
 def _legible(item: Item, colours: Colours) -> str:

@@ -24,7 +24,7 @@ import numpy as np
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 
-from theditor.canvas.curves import CurvesPainter, paint_ghost, paint_segments
+from theditor.canvas.curves import CurvesPainter, paint_ghost, paint_modes, paint_segments
 from theditor.canvas.handles import Detail, detail
 from theditor.canvas.labels import MOST
 from theditor.canvas.moved import scaled, shift
@@ -117,16 +117,19 @@ class Layers:
         alive_ones = [i for i in held if i in self._alive and i in self._details]
         pieces = [self._piece(frame, i, seen(i), self._alive[i]) for i in alive_ones]
         if frame.shown.ghost and frame.before is not None:
-            for index in now:
-                before, segments = self._curves.plane_curve(index), alive[index].segments
-                paint_ghost(painter, before, segments, frame.plane, frame.colours)
+            were = [(self._curves.plane_curve(i), alive[i].segments) for i in now]
+            paint_ghost(painter, were, frame.plane, frame.colours)
         for piece in pieces:
             paint_below(painter, frame, piece)
         painter.drawPixmap(0, 0, self._above)
-        for index in sorted(self._alive, key=lambda i: i == frame.current):
-            by_mode = index == still.current and frame.shown.modes
-            item, segments = frame.drawing[index], self._alive[index].segments
-            paint_segments(painter, item, seen(index), segments, frame.plane, frame.colours, by_mode=by_mode)
+        moved = [
+            (frame.drawing[i], seen(i), self._alive[i].segments)
+            for i in sorted(self._alive, key=lambda i: i == still.current)
+        ]
+        by_mode = still.current in self._alive and frame.shown.modes
+        paint_segments(painter, moved[: len(moved) - by_mode], frame.plane, frame.colours)
+        for item, curve, segments in moved[len(moved) - by_mode :]:
+            paint_modes(painter, item, curve, segments, frame.plane, frame.colours)
         for piece in pieces:
             paint_above(painter, frame, piece)
         paint_hand(painter, frame, seen)

@@ -62,7 +62,8 @@ class Part:
         """Whether all of another part belongs to it."""
         pairs = (other.segments, self.segments), (other.points, self.points)
         return all(
-            theirs is ours or bool(np.isin(theirs, ours, assume_unique=True).all()) for theirs, ours in pairs
+            np.array_equal(theirs, ours) or bool(np.isin(theirs, ours, assume_unique=True).all())
+            for theirs, ours in pairs
         )
 
 
