@@ -8,10 +8,12 @@ fastest of several. It prints, as multiples:
 
 - a frame of dragging a control point, pulling the curve, moving the λ slider and hovering at 10⁵ points, of the
   same at 100 (the aim: at most 2);
-- the start of a drag, and undo, at 10⁵ points, of painting all of the window anew (at most 1.5);
+- the start of a drag, and undo and redo of little and much, at 10⁵ points, of painting all of the window anew
+  (at most 1.5);
 - a frame of panning and of zooming at 10⁵ points, of the same at 100 (at most 4), and what is painted when the
   wheel has come to rest: nothing new unless the frames before showed ink enlarged;
-- a frame of dragging 1,000 selected points out of 10⁵, of dragging one (at most 10).
+- a frame of dragging 1,000 selected points out of 10⁵, of dragging one (at most 10), and, without an aim, of
+  dragging all points of many curves and changing every λ of a long one.
 
 For a spiral, for a thousand curves, and for a scribble that covers what it is drawn on several times over.
 Times on a busy machine mean little, so nothing here fails on them.
@@ -32,6 +34,7 @@ from PySide6.QtWidgets import QApplication
 
 from theditor.app.main_window import MainWindow
 from theditor.app.theme import Theme, apply_theme
+from theditor.canvas.held import every_point
 from theditor.spline import points
 
 NO_BUTTON = Qt.MouseButton.NoButton
@@ -348,3 +351,40 @@ def test_dragging_many_points(desks, report):
         (thousand,) = frames(large.take(a_point(large)))
         large.let_go()
         report(f"{name}: dragging 1,000 points, {what}, {thousand / one:.2f} ({thousand * 1e3:.1f} ms)")
+
+
+@pytest.mark.parametrize("share", [0.1, 1.0], ids=["some", "all"])
+def test_dragging_many_curves(desks, report, share):
+    name, _, large = desks
+    drawing = large.window.document.drawing
+    if len(drawing) < 10:
+        pytest.skip("not many curves")
+    one = frames(large.take(a_point(large)))[0]
+    large.let_go()
+    chosen = every_point(drawing, range(int(share * len(drawing))))
+    large.window.selection.select_across(chosen, curve=0)
+    (many,) = frames(large.take(a_point(large)))
+    report(f"{name}: dragging all points of {len(chosen)} curves {many / one:.1f} ({many * 1e3:.1f} ms)")
+
+
+def test_changing_every_lambda(desks, report):
+    name, small, large = desks
+    if name == "many":
+        pytest.skip("one long curve is measured")
+
+    def hold(desk):
+        gesture, values = desk.window.document.begin("λ"), count()
+
+        def show():
+            lambdas = range(len(desk.curve.lambdas))
+            new = desk.curve.with_lambdas(lambdas, 0.1 + 0.01 * (next(values) % 50))
+            gesture.preview(gesture.before.with_curve(0, new))
+            desk.frame()
+
+        return show
+
+    few, many = frames(hold(small), hold(large))
+    for desk in (small, large):
+        desk.window.document.settle()
+        desk.window.document.undo()
+    report(f"{name}: changing every λ {many / few:.1f} ({many * 1e3:.1f} ms)")

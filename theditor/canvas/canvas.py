@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QToolTip, QWidget
 
 from theditor.canvas.cursors import cursor_over
 from theditor.canvas.curves import CurvesPainter
+from theditor.canvas.events import keys_of, pointer_of
 from theditor.canvas.fit import fitted
 from theditor.canvas.freehand import FreehandTool
 from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit, exists, parameter_of
@@ -24,7 +25,7 @@ from theditor.canvas.picture import Frame, Shown
 from theditor.canvas.select import SelectTool
 from theditor.canvas.shaping import PullCurve, shaped_by
 from theditor.canvas.snapping import Snapper
-from theditor.canvas.tool import Bench, Keys, Tool
+from theditor.canvas.tool import Bench, Tool
 from theditor.canvas.tools import SLACK, Drag, Marquee, MovePoints, Pan, Pointer
 from theditor.canvas.view import PlaneView
 from theditor.canvas.viewport import Floats
@@ -273,17 +274,6 @@ class Canvas(PlaneView):
         told = self._tool.hint or (self._drag is None and warning(self._selection)) or hint(hit, self._drag)
         self.pointed.emit(Pointed(position, over, told, plane.scale, u))
 
-    def _pointer_of(self, event: QMouseEvent) -> Pointer:
-        position, held = event.position(), event.modifiers()
-        at, plane = np.array([position.x(), position.y()]), self.plane
-        return Pointer(
-            at,
-            plane.to_points(at),
-            plane,
-            shift=bool(held & Qt.KeyboardModifier.ShiftModifier),
-            ctrl=bool(held & Qt.KeyboardModifier.ControlModifier),
-        )
-
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Begin a drag; a press of another button while one is under way takes it back."""
         self._begin(event, double=False)
@@ -294,7 +284,7 @@ class Canvas(PlaneView):
 
     def _begin(self, event: QMouseEvent, *, double: bool) -> None:
         event.accept()
-        self._pointer = pointer = self._pointer_of(event)
+        self._pointer = pointer = pointer_of(event, self.plane)
         if self._drag is not None:
             self.cancel_drag()
             return
@@ -309,7 +299,7 @@ class Canvas(PlaneView):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Follow the drag, or show what would be grabbed."""
         event.accept()
-        self._pointer = pointer = self._pointer_of(event)
+        self._pointer = pointer = pointer_of(event, self.plane)
         if self._drag is None or self._press is None:
             self._hover()
             return
@@ -323,7 +313,7 @@ class Canvas(PlaneView):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """End the drag."""
         event.accept()
-        self._pointer = pointer = self._pointer_of(event)
+        self._pointer = pointer = pointer_of(event, self.plane)
         drag, self._drag = self._drag, None
         if drag is not None and (self._drag_moved or isinstance(drag, Pan)):
             drag.release(pointer)
@@ -369,7 +359,7 @@ class Canvas(PlaneView):
             self._set_cursor()
         elif event.key() == Qt.Key.Key_F6:
             super().focusNextPrevChild(not event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-        elif self._drag is None and self._tool.key(_keys(event)):
+        elif self._drag is None and self._tool.key(keys_of(event)):
             self._hover()
             self.viewport().update()
         else:
@@ -393,12 +383,3 @@ class Canvas(PlaneView):
         """A Space held while the focus left counts as let go."""
         self._space = False
         super().focusOutEvent(event)
-
-
-def _keys(event: QKeyEvent) -> Keys:
-    held = event.modifiers()
-    return Keys(
-        event.key(),
-        shift=bool(held & Qt.KeyboardModifier.ShiftModifier),
-        ctrl=bool(held & Qt.KeyboardModifier.ControlModifier),
-    )

@@ -46,14 +46,16 @@ def all_segments(curve: "Curve") -> Segments:
         points = np.ascontiguousarray(points)
         lambdas = lambdas[curve.first_segment :]
     clamped = curve.ends == "clamped" and not curve.closed
-    straight = points[:, 1:-1]
-    bends = np.diff(points, curve.degree - 1, axis=1)
+    straight, bends = points[:, 1:-1], points[:, 1:] - points[:, :-1]
+    if curve.degree == 3:
+        bends = bends[:, 1:] - bends[:, :-1]
     if clamped and curve.degree == 2:
         bends[:, 0] *= 2
         bends[:, -1] *= 2
     elif clamped:
-        straight = points
-        bends = np.pad(bends, ((0, 0), (1, 1)))
+        straight, inner = points, bends
+        bends = np.zeros_like(points)
+        bends[:, 1:-1] = inner
     count = curve.segment_count
     return Segments(
         straight[:, :count],

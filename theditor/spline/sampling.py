@@ -133,7 +133,9 @@ def differing_rows(old: NDArray[Any], new: NDArray[Any]) -> NDArray[np.intp]:
     if old.ndim == 1 or not places.size:
         return places
     rows: NDArray[np.intp] = places // old.shape[1]
-    return rows[np.flatnonzero(np.diff(rows, prepend=-1))]
+    begins = np.ones(len(rows), dtype=np.bool_)
+    np.not_equal(rows[1:], rows[:-1], out=begins[1:])
+    return rows[begins]
 
 
 def evaluate_segments(curve: "Curve", segments: ArrayLike, intervals: int) -> Floats:
