@@ -16,6 +16,7 @@ from theditor.spline import Curve, Mode
 from theditor.spline.distinct import distinct
 
 LAMBDA, MODE = "λ", "Segment"
+_WORDS = np.array([mode.value for mode in Mode], dtype=object)  # in the order of `Curve.mode_codes`
 
 _MODES = {
     name.lower(): mode
@@ -49,10 +50,21 @@ def mode_at(curve: Curve, row: int) -> Mode | None:
 
 def text(curve: Curve, row: int, column: int) -> str:
     """Return a cell in full: the shortest exact number, or the mode in a word."""
-    if column <= curve.dimension:
-        return exact(value(curve, row, column))
-    mode = mode_at(curve, row)
-    return "" if mode is None else mode.value
+    return texts(curve, np.array([row]), column)[0]
+
+
+def texts(curve: Curve, rows: NDArray[np.intp], column: int) -> list[str]:
+    """Return cells of a column in full."""
+    if column < curve.dimension:
+        return [exact(number) for number in curve.control_points[rows, column].tolist()]
+    if column == curve.dimension:
+        return [exact(number) for number in curve.lambdas[rows].tolist()]
+    segments = rows - curve.first_segment
+    begun = (segments >= 0) & (segments < curve.segment_count)
+    words = np.full(len(rows), "", dtype=object)
+    words[begun] = _WORDS[curve.codes_of(segments[begun])]
+    found: list[str] = words.tolist()
+    return found
 
 
 def cell_name(curve: Curve, row: int, column: int) -> str:
@@ -117,11 +129,10 @@ def copied(curve: Curve, cells: Iterable[tuple[int, NDArray[np.intp]]]) -> str:
     if not chosen:
         return ""
     every = distinct(np.concatenate(list(chosen.values())))
-    parts = []
-    for column in sorted(chosen):
-        rows = set(chosen[column].tolist())
-        parts.append([text(curve, row, column) if row in rows else "" for row in every.tolist()])
-    return "".join("\t".join(line) + "\n" for line in zip(*parts, strict=True))
+    parts = np.full((len(every), len(chosen)), "", dtype=object)
+    for place, column in enumerate(sorted(chosen)):
+        parts[np.searchsorted(every, chosen[column]), place] = texts(curve, chosen[column], column)
+    return "".join("\t".join(line) + "\n" for line in parts.tolist())
 
 
 def cells_of(block: str) -> list[list[str]]:
