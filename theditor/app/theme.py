@@ -93,7 +93,9 @@ def style_sheet(colours: Colours) -> str:
     """The style sheet on top of Qt's Fusion style: a 4-pixel grid, 26-pixel controls, 6-pixel corners."""
     on_accent = "#FFFFFF" if QColor(colours.accent).lightness() < 160 else "#10151C"
     icons = resource("icons").as_posix()
-    return Template(_SHEET).substitute(vars(colours), faded=_faded(colours), on_accent=on_accent, icons=icons)
+    return Template(_SHEET).substitute(
+        colours._asdict(), faded=_faded(colours), on_accent=on_accent, icons=icons
+    )
 
 
 _SHEET = """

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -125,7 +124,7 @@ class Canvas(PlaneView):
 
     def set_shown(self, **what: Any) -> None:
         """Show or hide parts, by the names in `Shown`."""
-        self._shown = replace(self._shown, **what)
+        self._shown = self._shown._replace(**what)
         self._show_legend()
         self.viewport().update()
 

@@ -10,7 +10,6 @@ So a picture costs as many lines as the eye can tell apart, not as many as the d
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -61,8 +60,7 @@ class Level(NamedTuple):
         return np.delete(pairs, 2 * alone) if len(alone) else pairs.ravel()
 
 
-@dataclass(frozen=True)
-class Chords:
+class Chords(NamedTuple):
     """Straight lines in place of runs of segments, in the order of the curves and along them."""
 
     lines: Floats

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -35,8 +34,7 @@ MOST_HULLS = 50
 EMPTY = "This drawing is empty.\nCurve › Add curve puts one here; File › Open gallery shows examples."
 
 
-@dataclass(frozen=True)
-class Shown:
+class Shown(NamedTuple):
     """What the canvas shows beside the curves."""
 
     polygon: bool = True
@@ -56,8 +54,7 @@ class Shown:
     circle: bool = False
 
 
-@dataclass(frozen=True)
-class Frame:
+class Frame(NamedTuple):
     """What one frame shows."""
 
     drawing: Drawing

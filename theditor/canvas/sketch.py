@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt
@@ -15,8 +15,7 @@ from theditor.model import Colours
 from theditor.spline import Curve
 
 
-@dataclass(frozen=True)
-class Sketch:
+class Sketch(NamedTuple):
     """Control points or strokes of the hand (n, 2), and the curve that they give, if they already give one."""
 
     points: Floats

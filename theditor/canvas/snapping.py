@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,16 +22,14 @@ Ints = NDArray[np.intp]
 NOTHING: Ints = np.empty(0, dtype=np.intp)
 
 
-@dataclass(frozen=True)
-class Snapped:
+class Snapped(NamedTuple):
     """A point of the plane (2,) that the pointer is drawn to, and what is there."""
 
     point: Floats
     to: str
 
 
-@dataclass(frozen=True)
-class Moving:
+class Moving(NamedTuple):
     """What moves with the hand and can be no goal: control points of curves, and the segments they shape."""
 
     points: Mapping[int, Ints]

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from PySide6.QtCore import Qt
 
@@ -19,8 +18,7 @@ from theditor.model import Document, Selection
 from theditor.spline import Curve
 
 
-@dataclass(frozen=True)
-class Bench:
+class Bench(NamedTuple):
     """What tools work with."""
 
     document: Document
@@ -42,8 +40,7 @@ class Bench:
         self.selection.select(curve=len(drawing))
 
 
-@dataclass(frozen=True)
-class Keys:
+class Keys(NamedTuple):
     """A key (a `Qt.Key`) and what is held with it."""
 
     key: int

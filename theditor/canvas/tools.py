@@ -5,8 +5,7 @@ A drag works with points of the plane, so that a view that changes under the han
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,8 +24,7 @@ SLACK = 3.0
 """A press that moves less than this many pixels is a click."""
 
 
-@dataclass(frozen=True)
-class Pointer:
+class Pointer(NamedTuple):
     """Where the mouse is, in pixels (2,) and as a point of the plane (2,), and which keys are held."""
 
     at: Floats

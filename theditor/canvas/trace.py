@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,8 +21,7 @@ TOLERANCE = 0.1
 """Largest distance in pixels between a segment and the line drawn for it."""
 
 
-@dataclass(frozen=True)
-class Stroke:
+class Stroke(NamedTuple):
     """Visible straight pieces of the segments of one mode, in ascending order of segments."""
 
     code: int

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -28,8 +27,7 @@ STEP = np.pi / 12
 _SIDES = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y]
 
 
-@dataclass(frozen=True)
-class Box:
+class Box(NamedTuple):
     """The least rectangle around points, by its lowest and highest corner (2,)."""
 
     low: Floats

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,8 +23,7 @@ def inside(points: Floats, low: Floats, high: Floats) -> NDArray[np.intp]:
     return np.flatnonzero((x >= low[0]) & (x <= high[0]) & (y >= low[1]) & (y <= high[1]))
 
 
-@dataclass(frozen=True)
-class Viewport:
+class Viewport(NamedTuple):
     """The visible part of the plane, y upward, with the same scale on both axes.
 
     Attributes

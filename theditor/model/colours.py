@@ -6,15 +6,14 @@ window is light or dark, so a change of theme reaches every view through Qt's ow
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from PySide6.QtGui import QPalette
 
 from theditor.spline import Mode
 
 
-@dataclass(frozen=True)
-class Colours:
+class Colours(NamedTuple):
     """Colours as ``#rrggbb``, named by what they mean.
 
     Mode colours are for strokes and swatches (contrast at least 3 : 1), never for text.

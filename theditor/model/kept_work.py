@@ -7,9 +7,9 @@ import os
 import secrets
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 from pathlib import Path
+from typing import NamedTuple
 
 from theditor.drawing import Drawing, encode_in_parts, load, write_atomically
 from theditor.model.data_folder import data_folder, lock_at
@@ -18,8 +18,7 @@ DAYS = 7
 """How long discarded work can be recovered."""
 
 
-@dataclass(frozen=True)
-class About:
+class About(NamedTuple):
     """Which drawing it is.
 
     Attributes
@@ -78,7 +77,7 @@ class KeptWork:
 
     def discard(self) -> None:
         """Note that it was given up now: in some days `kept_work` removes it."""
-        self._write_about(replace(self.about, discarded=datetime.now()))
+        self._write_about(self.about._replace(discarded=datetime.now()))
 
     def remove(self) -> None:
         """Remove it for good."""
