@@ -11,8 +11,8 @@ from theditor.spline.deviation import deviation
 from theditor.spline.points import Edited
 from theditor.spline.refit import refitted
 
-_FREE: Final = 24  # control points refitted at a time: the cost stays proportional to their number
-_STRIDE: Final = 12
+_FREE: Final = 500  # control points refitted at a time: the cost stays proportional to their number
+_SHARED: Final = 24  # of them, that are refitted with the next ones once more
 _PER_SEGMENT: Final = 10  # samples of the old shape
 
 
@@ -41,7 +41,8 @@ def with_degree(curve: Curve, degree: int) -> Edited:
         held[[0, -1]] = True
     targets, result = curve(u), start
     kept = int(not curve.closed and curve.ends == "clamped")
-    for low in range(kept, max(count - kept - _FREE + _STRIDE, kept + 1), _STRIDE):
+    stride = _FREE - _SHARED
+    for low in range(kept, max(count - kept - _SHARED, kept + 1), stride):
         free = np.arange(low, min(low + _FREE, count - kept))
         begin, end = low - start.first_segment - degree, free[-1] - start.first_segment + 3
         near = (v >= begin) & (v <= end)

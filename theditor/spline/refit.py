@@ -5,12 +5,14 @@ each given point may be met anywhere: the distance across the curve counts, that
 after each step every parameter moves to the foot of its point (tangent distance minimisation).
 """
 
+from collections.abc import Iterable
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from theditor.spline import joints
+from theditor.spline.banded import solve
 from theditor.spline.basis import Floats, basis, hyperbolic, trigonometric
 from theditor.spline.curve import Curve
 from theditor.spline.shape import PULL_BOUNDS
@@ -22,6 +24,7 @@ _HELD: Final = 1e4  # what a point to be met counts
 _DRIFT: Final = (
     0.5  # how far a parameter may wander, lest a part of the curve be met by nothing and go astray
 )
+_STILL: Final = 1e-7  # a step along the curve after which the next would be none
 _DAMPING: Final = 1e-10  # of a step, so that what nothing determines stays
 _ENOUGH: Final = 1e-4  # gain of a step, relative, below which the next is not worth its time
 
@@ -37,9 +40,10 @@ def design(curve: Curve, u: Floats) -> tuple[Indices, Floats]:
 
     Returns
     -------
-    indices : ndarray of int, shape (k,)
-        Ascending.
-    weights : ndarray, shape (n, k)
+    indices : ndarray of int, shape (n, degree + 1)
+        Those of each point's segment in order; what a reflected point at a clamped end does is done by the two
+        that it is made from.
+    weights : ndarray, shape (n, degree + 1)
         Times these control points they give the points.
     """
     segment, t = _segments(curve, u)
@@ -48,38 +52,39 @@ def design(curve: Curve, u: Floats) -> tuple[Indices, Floats]:
     # A clamped cubic end has the same points whatever its λ.
     active = np.where(curve.active_lambdas, curve.lambdas, 0.0)
     weights = basis(t, active[joint % count], active[(joint + 1) % count], degree)
-    places = joint[:, None] + np.arange(-1, degree)
+    indices = joint[:, None] + np.arange(-1, degree)
     if curve.closed:
-        places %= count
-    elif curve.ends == "clamped":
-        # The reflected point is twice the end less the point next to it.
-        beyond = degree - 2
-        first, last = places == -beyond, places == count - 1 + beyond
-        reflected = np.where(first | last, weights, 0.0)
-        places = np.where(first, 0, np.where(last, count - 1, places))
-        next_to = np.where(first, 1, np.where(last, count - 2, places))
-        weights = np.concatenate((weights + reflected, -reflected), axis=1)
-        places = np.concatenate((places, next_to), axis=1)
-    indices, column = np.unique(places, return_inverse=True)
-    matrix = np.zeros((len(t), len(indices)))
-    np.add.at(matrix, (np.arange(len(t))[:, None], column.reshape(places.shape)), weights)
-    return indices, matrix
+        return indices % count, weights
+    if curve.ends == "clamped":
+        for rows, columns in (
+            (segment == 0, slice(None)),
+            (segment == curve.segment_count - 1, slice(None, None, -1)),
+        ):
+            weights[rows, columns] = _without_reflected(weights[rows, columns], degree)
+    return np.clip(indices, 0, count - 1), weights
 
 
-def lambda_motion(curve: Curve, u: Floats, indices: Indices) -> Floats:
-    """Return how points of a curve move for a unit of each of some active λ, (n, d, len(indices))."""
+def _without_reflected(weights: Floats, degree: int) -> Floats:
+    """Return the weights of a clamped segment's points, (n, degree + 1), without the reflected one, which comes first.
+
+    It is twice the end less the point next to it. A quadratic's takes the place of the end.
+    """
+    result = weights.copy()
+    end = degree - 2
+    result[:, 0] = 0
+    result[:, end] += 2 * weights[:, 0]
+    result[:, end + 1] -= weights[:, 0]
+    return result
+
+
+def lambda_motion(curve: Curve, u: Floats) -> Floats:
+    """Return how points of a curve move for a unit of λ at the start and at the end of their segments, (n, d, 2)."""
     segment, t = _segments(curve, u)
     parts = joints.take_segments(curve, segment)
     order, sign = 2 - curve.degree, -1.0 if curve.degree == 2 else 1.0
     start = sign * (hyperbolic(1 - t, order) - trigonometric(1 - t, order)) * parts.bend_start
     end = (hyperbolic(t, order) - trigonometric(t, order)) * parts.bend_end
-    count = len(curve.control_points)
-    joint = segment + curve.first_segment
-    moves = np.zeros((len(t), curve.dimension, len(indices)))
-    for column, index in enumerate(indices):
-        moves[:, :, column] += np.where(joint % count == index, start, 0).T
-        moves[:, :, column] += np.where((joint + 1) % count == index, end, 0).T
-    return moves
+    return np.stack((start.T, end.T), axis=2)
 
 
 def feet(curve: Curve, points: Floats, u: Floats, steps: int = 3) -> Floats:
@@ -87,21 +92,27 @@ def feet(curve: Curve, points: Floats, u: Floats, steps: int = 3) -> Floats:
 
     On a closed curve parameters count round; on an open one they stay within the domain.
     """
+    found, moving = u.copy(), np.arange(len(u))
     for _ in range(steps):
-        at = _within(curve, u)
-        miss, velocity, bend = curve(at) - points, curve(at, 1), curve(at, 2)
-        slope = np.einsum("nd,nd->n", miss, velocity)
-        square = np.einsum("nd,nd->n", velocity, velocity)
-        steep = square + np.einsum("nd,nd->n", miss, bend)
+        u, goals = found[moving], points[moving].T
+        miss, velocity, bend = _motion(curve, u, range(3))
+        miss -= goals
+        slope = np.einsum("dn,dn->n", miss, velocity)
+        square = np.einsum("dn,dn->n", velocity, velocity)
+        steep = square + np.einsum("dn,dn->n", miss, bend)
         steep = np.where(steep > 0.3 * square, steep, square)
         step = np.divide(slope, steep, out=np.zeros_like(u), where=steep > 0)
         new = u - np.clip(step, -0.5, 0.5)
         if not curve.closed:
             new = np.clip(new, 0, curve.segment_count)
-        after = curve(_within(curve, new)) - points
-        nearer = np.einsum("nd,nd->n", after, after) <= np.einsum("nd,nd->n", miss, miss)
-        u = np.where(nearer, new, u)
-    return u
+        (after,) = _motion(curve, new, [0])
+        after -= goals
+        nearer = np.einsum("dn,dn->n", after, after) <= np.einsum("dn,dn->n", miss, miss)
+        found[moving[nearer]] = new[nearer]
+        moving = moving[nearer & (np.abs(new - u) > _STILL)]
+        if not len(moving):
+            break
+    return found
 
 
 def refitted(
@@ -173,36 +184,56 @@ def _step(
     curve: Curve, targets: Floats, u: Floats, free: Indices, bent: Indices, importance: Floats
 ) -> tuple[Floats, Floats]:
     """Return by how much to move control points, (k, d), and to change λ, (l,)."""
-    at, dimension = _within(curve, u), curve.dimension
+    order = np.argsort(_within(curve, u), kind="stable")  # the points of a segment together
+    at, targets, importance = _within(curve, u)[order], targets[order], importance[order]
     miss, velocity = targets - curve(at), curve(at, 1)
     speed = np.linalg.norm(velocity, axis=1)
     direction = np.divide(velocity, speed[:, None], out=np.zeros_like(velocity), where=speed[:, None] > 0)
     along = np.where(importance > 1, 0.0, 1 - _ALONG)
+    dimension = curve.dimension
     across = np.eye(dimension) - (along[:, None] * direction)[:, :, None] * direction[:, None, :]
     across *= importance[:, None, None]
     indices, weights = design(curve, at)
-    columns = np.zeros((len(u), len(free)))
-    place = np.searchsorted(indices, free).clip(max=len(indices) - 1)
-    met = indices[place] == free
-    columns[:, met] = weights[:, place[met]]
-    point_part = (across[:, :, None, :] * columns[:, None, :, None]).reshape(len(u) * dimension, -1)
-    lambda_part = (across @ lambda_motion(curve, at, bent)).reshape(len(u) * dimension, -1)
-    matrix = np.concatenate((point_part, lambda_part), axis=1)
-    goal = (across @ miss[:, :, None]).ravel()
-    # Each unknown in its own measure, so that neither units nor λ matter to the damping.
-    size = np.linalg.norm(matrix, axis=0)
-    size = np.where(size > 0, size, 1.0)
-    matrix /= size
-    normal = matrix.T @ matrix
-    normal[np.diag_indices_from(normal)] += _DAMPING
-    solution = np.linalg.solve(normal, matrix.T @ goal) / size
-    split = len(free) * dimension
-    return solution[:split].reshape(len(free), dimension), solution[split:]
+    each = dimension + (len(bent) > 0)  # unknowns of a control point
+    columns = np.zeros((len(at), dimension, curve.degree + 1, each))
+    columns[..., :dimension] = across[:, :, None, :] * weights[:, None, :, None]
+    if len(bent):
+        # Those of λ at a segment's ends are those of its middle control points, or of the last two.
+        columns[:, :, 1:3, dimension] = across @ lambda_motion(curve, at)
+    columns = columns.reshape(len(at), dimension, -1)
+    goal = across @ miss[:, :, None]
+
+    starts = np.flatnonzero(np.diff(_segments(curve, at)[0], prepend=-1))
+    turned = columns.transpose(0, 2, 1)
+    matrices = np.add.reduceat(turned @ columns, starts)
+    goals = np.add.reduceat((turned @ goal)[:, :, 0], starts)
+    unknown = np.full((len(curve.control_points), each), -1)
+    unknown[free, :dimension] = 0
+    unknown[bent, dimension:] = 0
+    sought = unknown == 0
+    unknown[sought] = np.arange(np.count_nonzero(sought))
+    solution = np.full(unknown.shape, 0.0)
+    solution[sought] = solve(
+        matrices,
+        goals,
+        unknown[indices[starts]].reshape(len(starts), -1),
+        np.count_nonzero(sought),
+        (curve.degree + 1) * each,
+        _DAMPING,
+    )
+    return solution[free, :dimension], solution[bent, -1]
 
 
 def _segments(curve: Curve, u: Floats) -> tuple[Indices, Floats]:
     segment = np.minimum(np.floor(u).astype(np.intp), curve.segment_count - 1)
     return segment, u - segment
+
+
+def _motion(curve: Curve, u: Floats, orders: Iterable[int]) -> list[Floats]:
+    """Return derivatives of some orders, (d, n) each."""
+    segment, t = _segments(curve, _within(curve, u))
+    parts = joints.take_segments(curve, segment)
+    return [joints.evaluate(parts, t, curve.degree, nu) for nu in orders]
 
 
 def _within(curve: Curve, u: Floats) -> Floats:
