@@ -7,11 +7,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from theditor.spline.basis import Floats
 from theditor.spline.curve import Curve
+from theditor.spline.distinct import distinct
 from theditor.spline.geometry import nearest
 from theditor.spline.joints import take_segments
 from theditor.spline.refit import feet
 
 _PER_SEGMENT: Final = 32
+_COARSE: Final = 8  # steps between the points that are measured first
 _REACH: Final = 3.0  # segments on either side of where a foot is expected
 _BLOCK: Final = 4096  # points at a time
 _ROUNDING: Final = 1e-14
@@ -34,16 +36,64 @@ def deviation(a: Curve, b: Curve, u: ArrayLike, v: ArrayLike, both: bool = True)
     """
     u, v = np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64)
     changed = _changed(a, b, u, v)
-    along = _even(u) if changed is None else _in_segments(u[0] + changed)
-    found = farthest(a(_round(a, along)), b, np.interp(along, u, v))
-    if both:
-        along = _even(v) if changed is None else _in_segments(v[0] + changed)
-        found = max(found, farthest(b(_round(b, along)), a, np.interp(along, v, u)))
-    return found
+    found = _one_way(a, b, u, v, changed)
+    return max(found, _one_way(b, a, v, u, changed)) if both else found
 
 
-def farthest(points: Floats, curve: Curve, u: Floats) -> float:
-    """Return the largest of the distances of points to a curve.
+def _one_way(a: Curve, b: Curve, u: Floats, v: Floats, changed: NDArray[np.intp] | None) -> float:
+    """Return the largest distance of points of a, in all or in some of its segments from u on, to b.
+
+    A curve leaves the chord of an interval by at most h²/8·max|C''|. So no point between two of a is farther from
+    b than the farther one of these, and what both curves leave their chords by: only intervals where that is more
+    than has been found are divided.
+    """
+    steps = int(np.ceil(_PER_SEGMENT * (u[-1] - u[0])))
+    step = (u[-1] - u[0]) / max(steps, 1)
+    found = 0.0
+
+    def measured(index: NDArray[np.intp], expected: Floats) -> Floats:
+        """Return parameters of the points, their feet, and their distances, (3, n)."""
+        nonlocal found
+        where = u[0] + index * step
+        points = a(_round(a, where))
+        foot = feet(b, points, expected if b.closed else _round(b, expected))
+        gap = np.linalg.norm(b(_round(b, foot)) - points, axis=1)
+        found = farthest(points, b, foot, found)
+        return np.stack((where, foot, gap))
+
+    if changed is None:
+        begin = np.arange(0, max(steps, 1), _COARSE)
+    else:
+        begin = (changed[:, None] * _PER_SEGMENT + np.arange(0, _PER_SEGMENT, _COARSE)).ravel()
+    end = np.minimum(begin + _COARSE, steps)
+    index = distinct(np.concatenate((begin, end)))
+    all_ends = measured(index, np.interp(u[0] + index * step, u, v))
+    start, stop = all_ends[:, np.searchsorted(index, begin)], all_ends[:, np.searchsorted(index, end)]
+    while True:
+        most = np.maximum(start[2], stop[2]) + _off_chord(a, start[0], stop[0]) + _off_chord(b, start[1], stop[1])
+        divided = np.flatnonzero((most > found) & (end - begin > 1))
+        if not len(divided):
+            return found
+        begin, end, start, stop = begin[divided], end[divided], start[:, divided], stop[:, divided]
+        middle = (begin + end) // 2
+        between = measured(middle, (start[1] + stop[1]) / 2)
+        begin, end = np.concatenate((begin, middle)), np.concatenate((middle, end))
+        start, stop = np.hstack((start, between)), np.hstack((between, stop))
+
+
+def _off_chord(curve: Curve, start: Floats, stop: Floats) -> Floats:
+    """Return how far a curve can get from its chords between parameters, which may count round; ∞ if they are long."""
+    low, high = np.minimum(start, stop), np.maximum(start, stop)
+    first, last = np.floor(low), np.ceil(high) - 1
+    count = curve.segment_count
+    segments = np.stack((first, last)).astype(np.intp)
+    segments = segments % count if curve.closed else np.clip(segments, 0, count - 1)
+    bend = curve.turning[segments].max(axis=0)
+    return np.where(last - first > 1, np.inf, (high - low) ** 2 / 8 * bend)
+
+
+def farthest(points: Floats, curve: Curve, u: Floats, least: float = 0.0) -> float:
+    """Return the largest of the distances of points to a curve, or `least` if none is larger.
 
     Parameters
     ----------
@@ -54,9 +104,10 @@ def farthest(points: Floats, curve: Curve, u: Floats) -> float:
     """
     # No point is farther than from where it is expected: those that can be farthest come first.
     most = np.linalg.norm(curve(_round(curve, u)) - points, axis=1)
-    order = np.argsort(-most)
+    order = np.flatnonzero(most > least)
+    order = order[np.argsort(-most[order])]
     nothing = _ROUNDING * float(np.abs(curve.control_points).max())
-    found = 0.0
+    found = least
     for i in range(0, len(order), _BLOCK):
         block = order[i : i + _BLOCK]
         if most[block[0]] <= max(found, nothing):
@@ -91,11 +142,6 @@ def _changed(a: Curve, b: Curve, u: Floats, v: Floats) -> NDArray[np.intp] | Non
     return np.flatnonzero(~same)
 
 
-def _in_segments(starts: Floats) -> Floats:
-    """Return parameters at even steps in segments, both their ends included."""
-    return np.asarray((starts[:, None] + np.linspace(0, 1, _PER_SEGMENT + 1)).ravel())
-
-
 def _near(points: Floats, curve: Curve, u: Floats) -> Floats:
     """Return the distances of points to local feet on a curve."""
     around = u[:, None] + np.arange(-_REACH, _REACH + 0.1, 0.125)
@@ -106,10 +152,6 @@ def _near(points: Floats, curve: Curve, u: Floats) -> Floats:
     foot = feet(curve, points, best, 6)
     distances: Floats = np.linalg.norm(curve(_round(curve, foot)) - points, axis=1)
     return distances
-
-
-def _even(u: Floats) -> Floats:
-    return np.linspace(u[0], u[-1], int(np.ceil(_PER_SEGMENT * (u[-1] - u[0]))) + 1)
 
 
 def _round(curve: Curve, u: Floats) -> Floats:
