@@ -4,7 +4,7 @@ from typing import Final
 
 import numpy as np
 
-from theditor.spline.basis import check_degree
+from theditor.spline.basis import Floats, check_degree
 from theditor.spline.checks import fewest_points
 from theditor.spline.curve import Curve
 from theditor.spline.deviation import deviation
@@ -13,6 +13,7 @@ from theditor.spline.refit import refitted
 
 _FREE: Final = 500  # control points refitted at a time: the cost stays proportional to their number
 _SHARED: Final = 24  # of them, that are refitted with the next ones once more
+_MARGIN: Final = 8  # control points on either side that have a say in what these shape
 _PER_SEGMENT: Final = 10  # samples of the old shape
 
 
@@ -31,26 +32,45 @@ def with_degree(curve: Curve, degree: int) -> Edited:
     if degree == curve.degree:
         return Edited(curve, 0.0)
     start = _start(curve, degree)
-    count, old, new = len(start.control_points), curve.segment_count, start.segment_count
+    old, new = curve.segment_count, start.segment_count
     # On a closed curve a quadratic's segment lies around the point that a cubic's begins at.
     shift = (0.5 if degree == 2 else -0.5) if curve.closed else 0.0
-    u = np.linspace(0, old, _PER_SEGMENT * old + 1)
-    v = u * new / old + shift
-    held = np.zeros(len(u), dtype=np.bool_)
+    u = np.arange(_PER_SEGMENT * old + (not curve.closed)) / _PER_SEGMENT
+    fitted = _fitted(start, curve(u), u * new / old + shift)
+    return Edited(fitted, deviation(curve, fitted, (0, old), (shift, new + shift)))
+
+
+def _fitted(curve: Curve, targets: Floats, u: Floats) -> Curve:
+    """Return a curve brought near to targets, (n, d), with even u, (n,), part after part."""
+    count, n = len(curve.control_points), len(u)
+    kept = int(not curve.closed and curve.ends == "clamped")
+    low, end = kept, count - kept
+    whole = curve.closed and count < _FREE + 2 * _MARGIN
+    if curve.closed and not whole:
+        end += _SHARED  # over the seam
+    held = np.zeros(n, dtype=np.bool_)
     if not curve.closed:
         held[[0, -1]] = True
-    targets, result = curve(u), start
-    kept = int(not curve.closed and curve.ends == "clamped")
-    stride = _FREE - _SHARED
-    for low in range(kept, max(count - kept - _SHARED, kept + 1), stride):
-        free = np.arange(low, min(low + _FREE, count - kept))
-        begin, end = low - start.first_segment - degree, free[-1] - start.first_segment + 3
-        near = (v >= begin) & (v <= end)
-        if curve.closed:
-            near |= (v >= begin + new) | (v <= end - new)
-        if len(free):
-            result, v[near] = refitted(result, targets[near], v[near], free, held=held[near])
-    return Edited(result, deviation(curve, result, (0, old), (shift, new + shift)))
+    points, first, step = curve.control_points.copy(), u[0], (u[-1] - u[0]) / (n - 1)
+    where = u.copy()
+    while low < end:
+        high = end if whole else min(low + _FREE, end)
+        around = np.arange(count) if whole else np.arange(low - _MARGIN, high + _MARGIN)
+        # The targets on segments that the free points shape, and on one more on either side.
+        reach = np.array([low - curve.degree, high + 2]) - curve.first_segment
+        met = np.arange(n) if whole else np.arange(*np.ceil((reach - first) / step).astype(np.intp))
+        if not curve.closed:
+            around, met = around[(around >= 0) & (around < count)], met[(met >= 0) & (met < n)]
+        turn, met = np.divmod(met, n)
+        part = curve.with_(
+            control_points=points[around % count], lambdas=curve.lambdas[around % count], closed=whole
+        )
+        origin = around[0] + part.first_segment - curve.first_segment - turn * curve.segment_count
+        free = np.arange(low, high)
+        part, found = refitted(part, targets[met], where[met] - origin, free - around[0], held=held[met])
+        points[free % count], where[met] = part.control_points[free - around[0]], found + origin
+        low = end if high == end else high - _SHARED
+    return curve.with_(control_points=points)
 
 
 def _start(curve: Curve, degree: int) -> Curve:
