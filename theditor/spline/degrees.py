@@ -13,6 +13,8 @@ from theditor.spline.refit import refitted
 
 _FREE: Final = 500  # control points refitted at a time: the cost stays proportional to their number
 _SHARED: Final = 24  # of them, that are refitted with the next ones once more
+_STEPS: Final = 8  # of the least squares
+_END: Final = 6  # segments in which the curves come to correspond from their ends on
 _MARGIN: Final = 8  # control points on either side that have a say in what these shape
 _PER_SEGMENT: Final = 10  # samples of the old shape
 
@@ -33,15 +35,20 @@ def with_degree(curve: Curve, degree: int) -> Edited:
         return Edited(curve, 0.0)
     start = _start(curve, degree)
     old, new = curve.segment_count, start.segment_count
-    # On a closed curve a quadratic's segment lies around the point that a cubic's begins at.
-    shift = (0.5 if degree == 2 else -0.5) if curve.closed else 0.0
+    # A quadratic's segment lies around the point that a cubic's begins at, but for open ends.
+    if curve.closed:
+        shift = 0.5 if degree == 2 else -0.5
+        met, meets = [0.0, old], [shift, new + shift]
+    else:
+        end, shift = min(_END, old / 2), (new - old) / 2
+        met, meets = [0.0, end, old - end, old], [0.0, end + shift, old - end + shift, new]
     u = np.arange(_PER_SEGMENT * old + (not curve.closed)) / _PER_SEGMENT
-    fitted = _fitted(start, curve(u), u * new / old + shift)
-    return Edited(fitted, deviation(curve, fitted, (0, old), (shift, new + shift)))
+    fitted = _fitted(start, curve(u), np.interp(u, met, meets))
+    return Edited(fitted, deviation(curve, fitted, met, meets))
 
 
 def _fitted(curve: Curve, targets: Floats, u: Floats) -> Curve:
-    """Return a curve brought near to targets, (n, d), with even u, (n,), part after part."""
+    """Return a curve brought near to targets, (n, d), about at ascending u, (n,), part after part."""
     count, n = len(curve.control_points), len(u)
     kept = int(not curve.closed and curve.ends == "clamped")
     low, end = kept, count - kept
@@ -51,15 +58,17 @@ def _fitted(curve: Curve, targets: Floats, u: Floats) -> Curve:
     held = np.zeros(n, dtype=np.bool_)
     if not curve.closed:
         held[[0, -1]] = True
-    points, first, step = curve.control_points.copy(), u[0], (u[-1] - u[0]) / (n - 1)
-    where = u.copy()
+    points, where = curve.control_points.copy(), u.copy()
     while low < end:
         high = end if whole else min(low + _FREE, end)
         around = np.arange(count) if whole else np.arange(low - _MARGIN, high + _MARGIN)
         # The targets on segments that the free points shape, and on one more on either side.
         reach = np.array([low - curve.degree, high + 2]) - curve.first_segment
-        met = np.arange(n) if whole else np.arange(*np.ceil((reach - first) / step).astype(np.intp))
-        if not curve.closed:
+        turns, rest = np.divmod(reach - u[0], curve.segment_count)
+        met = np.arange(*np.searchsorted(u - u[0], rest) + turns.astype(np.intp) * n)
+        if whole:
+            met = np.arange(n)
+        elif not curve.closed:
             around, met = around[(around >= 0) & (around < count)], met[(met >= 0) & (met < n)]
         turn, met = np.divmod(met, n)
         part = curve.with_(
@@ -67,7 +76,7 @@ def _fitted(curve: Curve, targets: Floats, u: Floats) -> Curve:
         )
         origin = around[0] + part.first_segment - curve.first_segment - turn * curve.segment_count
         free = np.arange(low, high)
-        part, found = refitted(part, targets[met], where[met] - origin, free - around[0], held=held[met])
+        part, found = refitted(part, targets[met], where[met] - origin, free - around[0], held=held[met], steps=_STEPS)
         points[free % count], where[met] = part.control_points[free - around[0]], found + origin
         low = end if high == end else high - _SHARED
     return curve.with_(control_points=points)

@@ -15,7 +15,8 @@ from theditor.spline.refit import feet
 _PER_SEGMENT: Final = 32
 _COARSE: Final = 8  # steps between the points that are measured first
 _REACH: Final = 3.0  # segments on either side of where a foot is expected
-_BLOCK: Final = 4096  # points at a time
+_CHORD: Final = 0.125  # of a segment: how far apart they are looked for
+_BLOCK: Final = 1024  # points at a time
 _ROUNDING: Final = 1e-14
 
 
@@ -143,13 +144,17 @@ def _changed(a: Curve, b: Curve, u: Floats, v: Floats) -> NDArray[np.intp] | Non
 
 
 def _near(points: Floats, curve: Curve, u: Floats) -> Floats:
-    """Return the distances of points to local feet on a curve."""
-    around = u[:, None] + np.arange(-_REACH, _REACH + 0.1, 0.125)
-    places = _round(curve, around)
-    gaps = curve(places) - points[:, None]
-    squares = np.einsum("nkd,nkd->nk", gaps, gaps)
-    best = np.take_along_axis(places, squares.argmin(axis=1)[:, None], axis=1)[:, 0]
-    foot = feet(curve, points, best, 6)
+    """Return the distances of points to local feet on a curve, begun at the nearest of its chords around u."""
+    around = u[:, None] + np.arange(-_REACH, _REACH + 0.1, _CHORD)
+    corners = curve(_round(curve, around))
+    chords, gaps = np.diff(corners, axis=1), points[:, None] - corners[:, :-1]
+    lengths = np.einsum("nkd,nkd->nk", chords, chords)
+    t = np.einsum("nkd,nkd->nk", chords, gaps)
+    t = np.clip(np.divide(t, lengths, out=np.zeros_like(t), where=lengths > 0), 0, 1)
+    gaps -= t[:, :, None] * chords
+    best = np.einsum("nkd,nkd->nk", gaps, gaps).argmin(axis=1)[:, None]
+    start = np.take_along_axis(around, best, axis=1) + _CHORD * np.take_along_axis(t, best, axis=1)
+    foot = feet(curve, points, _round(curve, start[:, 0]), 6)
     distances: Floats = np.linalg.norm(curve(_round(curve, foot)) - points, axis=1)
     return distances
 

@@ -33,7 +33,7 @@ class Segments(NamedTuple):
 
     def take(self, indices: NDArray[np.intp]) -> "Segments":
         """Return those of the segments, in the given order."""
-        return Segments(*(part[..., indices] for part in self))
+        return Segments(*(part.take(indices, axis=-1) for part in self))
 
 
 def all_segments(curve: "Curve") -> Segments:

@@ -155,24 +155,24 @@ def refitted(
     held = np.zeros(len(u), dtype=np.bool_) if held is None else held
     importance = np.where(held, _HELD, 1.0)
 
-    def settled(other: Curve, start: Floats) -> tuple[Floats, float]:
+    def settled(other: Curve, start: Floats) -> tuple[Floats, Floats, float]:
         where = np.clip(feet(other, targets, start), first - _DRIFT, first + _DRIFT)
         where = np.where(held, start, where)
-        miss = (other(_within(other, where)) - targets) * importance[:, None]
-        return where, float(np.sum(miss * miss))
+        miss = targets.T - _motion(other, where, [0])[0]
+        return where, miss, float(np.einsum("dn,dn,n", miss, miss, importance**2))
 
     first = u
-    u, misses = settled(curve, u)
+    u, miss, misses = settled(curve, u)
     for _ in range(steps):
-        move, turn = _step(curve, targets, u, free, bent, importance)
+        move, turn = _step(curve, miss, u, free, bent, importance)
         length, before = 1.0, misses
         while length > 0.1:
             lambdas = np.clip(curve.lambdas[bent] + length * turn, *bounds)
             points = curve.control_points[free] + length * move
             new = curve.with_points(free, points).with_lambdas(bent, lambdas)
-            where, after = settled(new, u)
+            where, gap, after = settled(new, u)
             if after < misses:
-                curve, u, misses = new, where, after
+                curve, u, miss, misses = new, where, gap, after
                 break
             length /= 2
         if misses >= before * (1 - _ENOUGH):
@@ -181,18 +181,18 @@ def refitted(
 
 
 def _step(
-    curve: Curve, targets: Floats, u: Floats, free: Indices, bent: Indices, importance: Floats
+    curve: Curve, miss: Floats, u: Floats, free: Indices, bent: Indices, importance: Floats
 ) -> tuple[Floats, Floats]:
-    """Return by how much to move control points, (k, d), and to change λ, (l,)."""
+    """Return by how much to move control points, (k, d), and to change λ, (l,), to make up for misses, (d, n)."""
     order = np.argsort(_within(curve, u), kind="stable")  # the points of a segment together
-    at, targets, importance = _within(curve, u)[order], targets[order], importance[order]
-    miss, velocity = targets - curve(at), curve(at, 1)
-    speed = np.linalg.norm(velocity, axis=1)
-    direction = np.divide(velocity, speed[:, None], out=np.zeros_like(velocity), where=speed[:, None] > 0)
+    at, miss, importance = _within(curve, u)[order], miss[:, order], importance[order]
+    (velocity,) = _motion(curve, at, [1])
+    speed = np.sqrt(np.einsum("dn,dn->n", velocity, velocity))
+    direction = np.divide(velocity, speed, out=np.zeros_like(velocity), where=speed > 0)
     along = np.where(importance > 1, 0.0, 1 - _ALONG)
     dimension = curve.dimension
-    across = np.eye(dimension) - (along[:, None] * direction)[:, :, None] * direction[:, None, :]
-    across *= importance[:, None, None]
+    across = np.eye(dimension)[:, :, None] - along * direction[:, None] * direction
+    across = np.ascontiguousarray((across * importance).transpose(2, 0, 1))
     indices, weights = design(curve, at)
     each = dimension + (len(bent) > 0)  # unknowns of a control point
     columns = np.zeros((len(at), dimension, curve.degree + 1, each))
@@ -201,7 +201,7 @@ def _step(
         # Those of λ at a segment's ends are those of its middle control points, or of the last two.
         columns[:, :, 1:3, dimension] = across @ lambda_motion(curve, at)
     columns = columns.reshape(len(at), dimension, -1)
-    goal = across @ miss[:, :, None]
+    goal = across @ miss.T[:, :, None]
 
     starts = np.flatnonzero(np.diff(_segments(curve, at)[0], prepend=-1))
     turned = columns.transpose(0, 2, 1)
