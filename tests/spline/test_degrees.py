@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 from theditor.spline import INTERPOLATING, Curve, with_degree
+from theditor.spline.deviation import deviation, farthest
 
 
 @pytest.mark.parametrize("degree", [2, 3])
@@ -39,3 +40,47 @@ def test_interpolating_values_follow_the_degree_and_the_same_degree_changes_noth
     assert with_degree(curve, 3) == (curve, 0.0)
     with pytest.raises(ValueError, match="degree must be 2 or 3"):
         with_degree(curve, 4)
+
+
+@pytest.fixture(scope="module", params=["free", "clamped", "closed"])
+def long(request):
+    """A curve of more points than are refitted together, with λ of all kinds, and itself in the other degree."""
+    rng = np.random.default_rng(4)
+    angle = np.arange(1200) * 2 * np.pi / 1200
+    points = np.stack((200 * np.cos(angle), (190 + 3 * np.sin(40 * angle)) * np.sin(angle)), axis=1)
+    lambdas = np.repeat(rng.choice([0.0, 1.0, -2.0, INTERPOLATING[3]], 120), 10)
+    curve = Curve(
+        points + rng.normal(scale=0.1, size=points.shape),
+        lambdas,
+        closed=request.param == "closed",
+        ends="clamped" if request.param == "clamped" else "free",
+    )
+    return curve, with_degree(curve, 2)
+
+
+@pytest.mark.parametrize("middle", [0, 100, 488, 700, 964])
+def test_a_part_of_a_long_curve_is_refitted_as_it_is_by_itself(long, middle):
+    curve, edited = long
+    if middle == 0 and not curve.closed:
+        return
+    around, inner = np.arange(middle - 60, middle + 61) % 1200, np.arange(middle - 20, middle + 21) % 1200
+    part = with_degree(Curve(curve.control_points[around], curve.lambdas[around]), 2)
+    ours = Curve(edited.curve.control_points[inner], edited.curve.lambdas[inner], 2)
+    alone = Curve(part.curve.control_points[40:-40], part.curve.lambdas[40:-40], 2)
+    # Their ends may lie a little apart along the curve.
+    whole = (0, ours.segment_count)
+    assert deviation(ours, part.curve, whole, (40, 40 + ours.segment_count), both=False) < 0.002
+    assert (
+        deviation(alone, edited.curve, whole, np.add(whole, middle - 20 + curve.closed), both=False) < 0.002
+    )
+
+
+def test_the_deviation_of_a_long_curve_is_that_of_its_samples(long):
+    curve, edited = long
+    shift = 0.5 if curve.closed else 0.0
+    old, new = curve.segment_count, edited.curve.segment_count
+    u, v = np.linspace(0, old, 32 * old + 1), shift + np.linspace(0, new, 32 * new + 1)
+    there = farthest(curve(u), edited.curve, (shift + u * new / old) % new if curve.closed else u * new / old)
+    back = farthest(edited.curve(v % new if curve.closed else v), curve, (v - shift) * old / new)
+    assert edited.deviation == pytest.approx(max(there, back), rel=1e-9)
+    assert edited.deviation < 0.05

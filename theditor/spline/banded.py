@@ -1,8 +1,8 @@
-"""Linear equations in which an unknown meets only its neighbours, along a line or round a ring.
+"""Linear equations in which an unnone meets only its neighbours, along a line or round a ring.
 
 Neighbours together make a block, so that a block meets the one before and the one after it alone. Every other
 block is then expressed by its two neighbours, all at once, and half of the blocks remain, which meet as before
-(cyclic reduction): the cost is proportional to the number of unknowns.
+(cyclic reduction): the cost is proportional to the number of unnones.
 """
 
 from typing import Final
@@ -16,7 +16,7 @@ _FEWEST: Final = 3  # blocks: fewer meet one another on both sides
 
 
 def solve(
-    parts: Floats, right: Floats, unknowns: NDArray[np.intp], count: int, reach: int, damping: float
+    parts: Floats, right: Floats, unnones: NDArray[np.intp], count: int, reach: int, damping: float
 ) -> Floats:
     """Return the solution of symmetric positive definite equations, given as a sum of small ones.
 
@@ -26,14 +26,14 @@ def solve(
         What the matrix is the sum of.
     right : ndarray, shape (n, k)
         What the right-hand side is the sum of.
-    unknowns : ndarray of int, shape (n, k)
-        Which unknown each row and column belongs to; −1 for none.
+    unnones : ndarray of int, shape (n, k)
+        Which unnone each row and column belongs to; −1 for none.
     count : int
-        How many unknowns there are.
+        How many unnones there are.
     reach : int
-        No part has two unknowns that are farther apart, counted round.
+        No part has two unnones that are farther apart, counted round.
     damping : float
-        By how much the diagonal grows, relative to itself; an unknown that is in no part is 0.
+        By how much the diagonal grows, relative to itself; an unnone that is in no part is 0.
 
     Returns
     -------
@@ -42,21 +42,20 @@ def solve(
     blocks = count // reach if count >= _FEWEST * reach else 1
     block = np.arange(count) * blocks // count
     slot = np.arange(count) - np.searchsorted(block, block)
-    width = int(slot[-1]) + 1 if blocks == 1 else int(slot.max()) + 1
+    width = int(slot.max()) + 1
 
-    known = unknowns < 0
-    home = np.where(known, -blocks, block[unknowns])
-    place = slot[unknowns]
+    none = unnones < 0
+    home, place = block[unnones], slot[unnones]
     row, column = home[:, :, None], home[:, None, :]
     beside = (row != column) & ((row + 1) % blocks == column)
-    met = ((row == column) | beside) & ~(known[:, :, None] | known[:, None, :])
+    met = ((row == column) | beside) & ~(none[:, :, None] | none[:, None, :])
     index = ((beside * blocks + row) * width + place[:, :, None]) * width + place[:, None, :]
     shape = 2, blocks, width, width
     matrix, goal = np.zeros(shape), np.zeros(shape[1:3])
     np.add.at(matrix.ravel(), index[met], parts[met])
-    np.add.at(goal, (home[~known], place[~known]), right[~known])
+    np.add.at(goal, (home[~none], place[~none]), right[~none])
 
-    # Each unknown in its own measure, so that their units do not matter.
+    # Each unnone in its own measure, so that their units do not matter.
     diagonal = np.arange(width)
     size = np.sqrt(matrix[0][:, diagonal, diagonal])
     empty = size == 0
@@ -64,7 +63,7 @@ def solve(
     matrix[0] /= size[:, :, None] * size[:, None, :]
     matrix[1] /= size[:, :, None] * np.roll(size, -1, axis=0)[:, None, :]
     matrix[0][:, diagonal, diagonal] += damping + empty
-    solution = _reduced(*matrix, goal / size) / size
+    solution: Floats = _reduced(matrix[0], matrix[1], goal / size) / size
     return solution[block, slot]
 
 
@@ -77,13 +76,12 @@ def _reduced(own: Floats, after: Floats, right: Floats) -> Floats:
     if count == 1:
         return np.linalg.solve(own[0] + after[0] + after[0].T, right[0])[None]
     # Odd blocks go: x = free − before·(block before) − behind·(block behind).
-    towards, from_it = after[0 : count - 1 : 2], after[1::2]
+    towards, from_it = after[: count - 1 : 2], after[1::2]
     sides = np.concatenate((towards.transpose(0, 2, 1), from_it, right[1::2, :, None]), axis=2)
     solved = np.linalg.solve(own[1::2], sides)
     pushed, pulled = towards @ solved, from_it.transpose(0, 2, 1) @ solved
     before, behind, free = np.split(solved, [width, 2 * width], axis=2)
-    left = own[::2].copy()
-    goal = right[::2].copy()
+    left, goal = own[::2].copy(), right[::2].copy()
     link = np.zeros_like(left)
     gone = len(solved)
     left[:gone] -= pushed[:, :, :width]
@@ -97,7 +95,5 @@ def _reduced(own: Floats, after: Floats, right: Floats) -> Floats:
     rest = _reduced(left, link, goal)
     result = np.empty_like(right)
     result[::2] = rest
-    inner = rest[:gone, :, None]
-    outer = rest[follows][:, :, None]
-    result[1::2] = (free - before @ inner - behind @ outer)[:, :, 0]
+    result[1::2] = (free - before @ rest[:gone, :, None] - behind @ rest[follows, :, None])[:, :, 0]
     return result

@@ -13,7 +13,7 @@ from theditor.spline.refit import refitted
 
 _FREE: Final = 500  # control points refitted at a time: the cost stays proportional to their number
 _SHARED: Final = 24  # of them, that are refitted with the next ones once more
-_STEPS: Final = 8  # of the least squares
+_STEPS: Final = 5  # of the least squares
 _END: Final = 6  # segments in which the curves come to correspond from their ends on
 _MARGIN: Final = 8  # control points on either side that have a say in what these shape
 _PER_SEGMENT: Final = 10  # samples of the old shape
@@ -76,7 +76,9 @@ def _fitted(curve: Curve, targets: Floats, u: Floats) -> Curve:
         )
         origin = around[0] + part.first_segment - curve.first_segment - turn * curve.segment_count
         free = np.arange(low, high)
-        part, found = refitted(part, targets[met], where[met] - origin, free - around[0], held=held[met], steps=_STEPS)
+        part, found = refitted(
+            part, targets[met], where[met] - origin, free - around[0], held=held[met], steps=_STEPS
+        )
         points[free % count], where[met] = part.control_points[free - around[0]], found + origin
         low = end if high == end else high - _SHARED
     return curve.with_(control_points=points)

@@ -71,7 +71,11 @@ def _one_way(a: Curve, b: Curve, u: Floats, v: Floats, changed: NDArray[np.intp]
     all_ends = measured(index, np.interp(u[0] + index * step, u, v))
     start, stop = all_ends[:, np.searchsorted(index, begin)], all_ends[:, np.searchsorted(index, end)]
     while True:
-        most = np.maximum(start[2], stop[2]) + _off_chord(a, start[0], stop[0]) + _off_chord(b, start[1], stop[1])
+        most = (
+            np.maximum(start[2], stop[2])
+            + _off_chord(a, start[0], stop[0])
+            + _off_chord(b, start[1], stop[1])
+        )
         divided = np.flatnonzero((most > found) & (end - begin > 1))
         if not len(divided):
             return found

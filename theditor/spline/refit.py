@@ -200,24 +200,25 @@ def _step(
     if len(bent):
         # Those of λ at a segment's ends are those of its middle control points, or of the last two.
         columns[:, :, 1:3, dimension] = across @ lambda_motion(curve, at)
-    columns = columns.reshape(len(at), dimension, -1)
+    rows = columns.reshape(len(at), dimension, -1)
     goal = across @ miss.T[:, :, None]
 
     starts = np.flatnonzero(np.diff(_segments(curve, at)[0], prepend=-1))
-    turned = columns.transpose(0, 2, 1)
-    matrices = np.add.reduceat(turned @ columns, starts)
+    turned = rows.transpose(0, 2, 1)
+    matrices = np.add.reduceat(turned @ rows, starts)
     goals = np.add.reduceat((turned @ goal)[:, :, 0], starts)
     unknown = np.full((len(curve.control_points), each), -1)
     unknown[free, :dimension] = 0
     unknown[bent, dimension:] = 0
     sought = unknown == 0
-    unknown[sought] = np.arange(np.count_nonzero(sought))
-    solution = np.full(unknown.shape, 0.0)
+    count = int(np.count_nonzero(sought))
+    unknown[sought] = np.arange(count)
+    solution = np.zeros(unknown.shape)
     solution[sought] = solve(
         matrices,
         goals,
         unknown[indices[starts]].reshape(len(starts), -1),
-        np.count_nonzero(sought),
+        count,
         (curve.degree + 1) * each,
         _DAMPING,
     )
