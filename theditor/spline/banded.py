@@ -1,8 +1,8 @@
-"""Linear equations in which an unnone meets only its neighbours, along a line or round a ring.
+"""Linear equations in which an unknown meets only its neighbours, along a line or round a ring.
 
 Neighbours together make a block, so that a block meets the one before and the one after it alone. Every other
 block is then expressed by its two neighbours, all at once, and half of the blocks remain, which meet as before
-(cyclic reduction): the cost is proportional to the number of unnones.
+(cyclic reduction): the cost is proportional to the number of unknowns.
 """
 
 from typing import Final
@@ -16,7 +16,7 @@ _FEWEST: Final = 3  # blocks: fewer meet one another on both sides
 
 
 def solve(
-    parts: Floats, right: Floats, unnones: NDArray[np.intp], count: int, reach: int, damping: float
+    parts: Floats, right: Floats, unknowns: NDArray[np.intp], count: int, reach: int, damping: float
 ) -> Floats:
     """Return the solution of symmetric positive definite equations, given as a sum of small ones.
 
@@ -26,26 +26,28 @@ def solve(
         What the matrix is the sum of.
     right : ndarray, shape (n, k)
         What the right-hand side is the sum of.
-    unnones : ndarray of int, shape (n, k)
-        Which unnone each row and column belongs to; −1 for none.
+    unknowns : ndarray of int, shape (n, k)
+        Which unknown each row and column belongs to; −1 for none.
     count : int
-        How many unnones there are.
+        How many unknowns there are.
     reach : int
-        No part has two unnones that are farther apart, counted round.
+        No part has two unknowns that are farther apart, counted round.
     damping : float
-        By how much the diagonal grows, relative to itself; an unnone that is in no part is 0.
+        By how much the diagonal grows, relative to itself; an unknown that is in no part is 0.
 
     Returns
     -------
     ndarray, shape (count,)
     """
+    if not count:
+        return np.empty(0)
     blocks = count // reach if count >= _FEWEST * reach else 1
     block = np.arange(count) * blocks // count
     slot = np.arange(count) - np.searchsorted(block, block)
     width = int(slot.max()) + 1
 
-    none = unnones < 0
-    home, place = block[unnones], slot[unnones]
+    none = unknowns < 0
+    home, place = block[unknowns], slot[unknowns]
     row, column = home[:, :, None], home[:, None, :]
     beside = (row != column) & ((row + 1) % blocks == column)
     met = ((row == column) | beside) & ~(none[:, :, None] | none[:, None, :])
@@ -55,7 +57,7 @@ def solve(
     np.add.at(matrix.ravel(), index[met], parts[met])
     np.add.at(goal, (home[~none], place[~none]), right[~none])
 
-    # Each unnone in its own measure, so that their units do not matter.
+    # Each unknown in its own measure, so that their units do not matter.
     diagonal = np.arange(width)
     size = np.sqrt(matrix[0][:, diagonal, diagonal])
     empty = size == 0
@@ -63,8 +65,8 @@ def solve(
     matrix[0] /= size[:, :, None] * size[:, None, :]
     matrix[1] /= size[:, :, None] * np.roll(size, -1, axis=0)[:, None, :]
     matrix[0][:, diagonal, diagonal] += damping + empty
-    solution: Floats = _reduced(matrix[0], matrix[1], goal / size) / size
-    return solution[block, slot]
+    solution: Floats = (_reduced(matrix[0], matrix[1], goal / size) / size)[block, slot]
+    return solution
 
 
 def _reduced(own: Floats, after: Floats, right: Floats) -> Floats:
