@@ -55,9 +55,11 @@ class Level(NamedTuple):
 
     def below(self, nodes: Ints) -> Ints:
         """The children of some nodes, in their order."""
-        pairs = np.stack((self.left[nodes], self.right[nodes]), axis=1)
-        alone = np.flatnonzero(pairs[:, 0] == pairs[:, 1])
-        return np.delete(pairs, 2 * alone) if len(alone) else pairs.ravel()
+        left, right = self.left[nodes], self.right[nodes]
+        children = np.stack((left, right), axis=1)
+        two = np.ones(children.shape, dtype=np.bool_)
+        np.not_equal(left, right, out=two[:, 1])
+        return children[two]
 
 
 class Chords(NamedTuple):

@@ -16,11 +16,16 @@ def distinct(values: NDArray[Scalar]) -> NDArray[Scalar]:
     `numpy.unique` does so, too, but loads all of `numpy.ma` when it is first called, and hashes integers, which
     takes longer than to sort them.
     """
-    if values.size == 0 or (values == values[0]).all():
-        return values[:1]
-    ascending: NDArray[Scalar] = np.sort(values)
-    result: NDArray[Scalar] = ascending[np.append(True, ascending[1:] != ascending[:-1])]
-    return result
+    if not values.size:
+        return values
+    # Equal ones often stand together: then few are left to sort.
+    return _first_of_runs(np.sort(_first_of_runs(values)))
+
+
+def _first_of_runs(values: NDArray[Scalar]) -> NDArray[Scalar]:
+    begins = np.ones(len(values), dtype=np.bool_)
+    np.not_equal(values[1:], values[:-1], out=begins[1:])
+    return values[begins]
 
 
 def moves_on(points: Floats) -> NDArray[np.bool_]:
