@@ -67,11 +67,14 @@ def test_a_part_of_a_long_curve_is_refitted_as_it_is_by_itself(long, middle):
     part = with_degree(Curve(curve.control_points[around], curve.lambdas[around]), 2)
     ours = Curve(edited.curve.control_points[inner], edited.curve.lambdas[inner], 2)
     alone = Curve(part.curve.control_points[40:-40], part.curve.lambdas[40:-40], 2)
-    # Their ends may lie a little apart along the curve.
+    # They lie much closer to each other than to the old shape. Their ends may be a little apart along the curve.
     whole = (0, ours.segment_count)
-    assert deviation(ours, part.curve, whole, (40, 40 + ours.segment_count), both=False) < 0.002
     assert (
-        deviation(alone, edited.curve, whole, np.add(whole, middle - 20 + curve.closed), both=False) < 0.002
+        deviation(ours, part.curve, whole, (40, 40 + ours.segment_count), both=False) < 0.15 * part.deviation
+    )
+    assert (
+        deviation(alone, edited.curve, whole, np.add(whole, middle - 20 + curve.closed), both=False)
+        < 0.15 * part.deviation
     )
 
 

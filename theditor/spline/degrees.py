@@ -13,7 +13,11 @@ from theditor.spline.refit import refitted
 
 _FREE: Final = 500  # control points refitted at a time: the cost stays proportional to their number
 _SHARED: Final = 24  # of them, that are refitted with the next ones once more
-_STEPS: Final = 5  # of the least squares
+_CARE: Final = (
+    12,
+    1e-4,
+)  # steps of the least squares, and gain of one below which the next is not worth its time
+_HASTE: Final = 5, 0.02  # the same where there are several parts, which takes a while
 _END: Final = 6  # segments in which the curves come to correspond from their ends on
 _MARGIN: Final = 8  # control points on either side that have a say in what these shape
 _PER_SEGMENT: Final = 10  # samples of the old shape
@@ -59,6 +63,7 @@ def _fitted(curve: Curve, targets: Floats, u: Floats) -> Curve:
     if not curve.closed:
         held[[0, -1]] = True
     points, where = curve.control_points.copy(), u.copy()
+    steps, enough = _CARE if count < _FREE + 2 * _MARGIN else _HASTE
     while low < end:
         high = end if whole else min(low + _FREE, end)
         around = np.arange(count) if whole else np.arange(low - _MARGIN, high + _MARGIN)
@@ -77,7 +82,13 @@ def _fitted(curve: Curve, targets: Floats, u: Floats) -> Curve:
         origin = around[0] + part.first_segment - curve.first_segment - turn * curve.segment_count
         free = np.arange(low, high)
         part, found = refitted(
-            part, targets[met], where[met] - origin, free - around[0], held=held[met], steps=_STEPS
+            part,
+            targets[met],
+            where[met] - origin,
+            free - around[0],
+            held=held[met],
+            steps=steps,
+            enough=enough,
         )
         points[free % count], where[met] = part.control_points[free - around[0]], found + origin
         low = end if high == end else high - _SHARED

@@ -117,10 +117,10 @@ def farthest(points: Floats, curve: Curve, u: Floats, least: float = 0.0) -> flo
         block = order[i : i + _BLOCK]
         if most[block[0]] <= max(found, nothing):
             return max(found, float(most[block[0]])) if most[block[0]] <= nothing else found
-        distances = np.minimum(_near(points[block], curve, u[block]), most[block])
+        foot, distances = _near(points[block], curve, u[block])
         # These feet are local: only where the largest is confirmed by the global minimum is it the answer.
         while distances[worst := int(np.argmax(distances))] > max(found, nothing):
-            true = float(nearest(curve, points[block[worst]])[1])
+            true = float(nearest(curve, points[block[worst]], near=foot[worst])[1])
             if true >= distances[worst] * (1 - 1e-9):
                 found = true
                 break
@@ -147,8 +147,8 @@ def _changed(a: Curve, b: Curve, u: Floats, v: Floats) -> NDArray[np.intp] | Non
     return np.flatnonzero(~same)
 
 
-def _near(points: Floats, curve: Curve, u: Floats) -> Floats:
-    """Return the distances of points to local feet on a curve, begun at the nearest of its chords around u."""
+def _near(points: Floats, curve: Curve, u: Floats) -> tuple[Floats, Floats]:
+    """Return local feet of points on a curve, begun at the nearest of its chords around u, and how far these are."""
     around = u[:, None] + np.arange(-_REACH, _REACH + 0.1, _CHORD)
     corners = curve(_round(curve, around))
     chords, gaps = np.diff(corners, axis=1), points[:, None] - corners[:, :-1]
@@ -158,9 +158,10 @@ def _near(points: Floats, curve: Curve, u: Floats) -> Floats:
     gaps -= t[:, :, None] * chords
     best = np.einsum("nkd,nkd->nk", gaps, gaps).argmin(axis=1)[:, None]
     start = np.take_along_axis(around, best, axis=1) + _CHORD * np.take_along_axis(t, best, axis=1)
-    foot = feet(curve, points, _round(curve, start[:, 0]), 6)
-    distances: Floats = np.linalg.norm(curve(_round(curve, foot)) - points, axis=1)
-    return distances
+    foot = _round(curve, feet(curve, points, _round(curve, start[:, 0]), 6))
+    distances, before = (np.linalg.norm(curve(at) - points, axis=1) for at in (foot, _round(curve, u)))
+    nearer = distances <= before
+    return np.where(nearer, foot, _round(curve, u)), np.where(nearer, distances, before)
 
 
 def _round(curve: Curve, u: Floats) -> Floats:

@@ -16,7 +16,9 @@ _CLOSE = 4e-16  # steps of t that are none
 _BLOCK = 256  # segments at a time: the best found in one rules out most of the next
 
 
-def nearest(curve: Curve, points: ArrayLike, accuracy: float = 1e-12) -> tuple[Floats, Floats]:
+def nearest(
+    curve: Curve, points: ArrayLike, accuracy: float = 1e-12, near: ArrayLike | None = None
+) -> tuple[Floats, Floats]:
     """Return the point of the curve nearest to each given one: the global minimum, on any curve.
 
     Segments whose box is farther than a point already found are left out; on the others every local minimum
@@ -30,6 +32,8 @@ def nearest(curve: Curve, points: ArrayLike, accuracy: float = 1e-12) -> tuple[F
     accuracy : float
         By how much the distance may exceed the least one, relative to the largest |coordinate| of the curve
         and the point.
+    near : array_like, shape (...), optional
+        Parameters of points on the curve near the given ones, which save time and change no result.
 
     Returns
     -------
@@ -46,7 +50,11 @@ def nearest(curve: Curve, points: ArrayLike, accuracy: float = 1e-12) -> tuple[F
     targets = np.asarray(points, dtype=np.float64)
     if targets.shape[-1:] != (curve.dimension,) or not np.isfinite(targets).all():
         raise ValueError(f"each point needs {curve.dimension} finite coordinates")
-    found = [_nearest(curve, target, accuracy) for target in targets.reshape(-1, curve.dimension)]
+    starts = [None] * (targets.size // curve.dimension) if near is None else np.ravel(near).tolist()
+    found = [
+        _nearest(curve, target, accuracy, start)
+        for target, start in zip(targets.reshape(-1, curve.dimension), starts, strict=True)
+    ]
     u, distance = np.array(found, dtype=np.float64).reshape(-1, 2).T.reshape(2, *targets.shape[:-1])
     return u, distance
 
@@ -86,14 +94,14 @@ def bounds(curve: Curve, accuracy: float = 1e-12) -> tuple[Floats, Floats]:
     return low, high
 
 
-def _nearest(curve: Curve, target: Floats, accuracy: float) -> tuple[float, float]:
+def _nearest(curve: Curve, target: Floats, accuracy: float, start: float | None) -> tuple[float, float]:
     """Return the parameter of the point nearest to one target, and its distance."""
     size = max(float(np.abs(curve.control_points).max()), float(np.abs(target).max()))
     low, high = curve.boxes
     gap = np.maximum(np.maximum(low - target[:, None], target[:, None] - high), 0)
     least = np.sqrt(np.einsum("dk,dk->k", gap, gap))
-    # A point of the segment that looks nearest leaves a few candidates, to be sorted.
-    u = int(np.argmin(least)) + 0.5
+    # A point that is near, or one of the segment that looks nearest, leaves a few candidates, to be sorted.
+    u = int(np.argmin(least)) + 0.5 if start is None else start
     best = float(np.linalg.norm(curve(u) - target))
     candidates = np.flatnonzero(least <= best)
     candidates = candidates[np.argsort(least[candidates], kind="stable")]

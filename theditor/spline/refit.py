@@ -26,7 +26,7 @@ _DRIFT: Final = (
 )
 _STILL: Final = 1e-7  # a step along the curve after which the next would be none
 _DAMPING: Final = 1e-10  # of a step, so that what nothing determines stays
-_ENOUGH: Final = 1e-4  # gain of a step, relative, below which the next is not worth its time
+_ENOUGH: Final = 1e-4
 
 
 def design(curve: Curve, u: Floats) -> tuple[Indices, Floats]:
@@ -124,6 +124,7 @@ def refitted(
     held: NDArray[np.bool_] | None = None,
     steps: int = 12,
     bounds: tuple[float, float] = PULL_BOUNDS,
+    enough: float = _ENOUGH,
 ) -> tuple[Curve, Floats]:
     """Return the curve with some control points moved, and some λ changed, to come near to targets.
 
@@ -143,6 +144,8 @@ def refitted(
         The most there may be.
     bounds : (float, float)
         Of the λ that may change.
+    enough : float
+        Gain of a step, relative, below which the next is not worth its time.
 
     Returns
     -------
@@ -175,7 +178,7 @@ def refitted(
                 curve, u, miss, misses = new, where, gap, after
                 break
             length /= 2
-        if misses >= before * (1 - _ENOUGH):
+        if misses >= before * (1 - enough):
             break
     return curve, u
 
