@@ -13,11 +13,9 @@ from theditor.spline.refit import refitted
 
 _FREE: Final = 500  # control points refitted at a time: the cost stays proportional to their number
 _SHARED: Final = 24  # of them, that are refitted with the next ones once more
-_CARE: Final = (
-    12,
-    1e-4,
-)  # steps of the least squares, and gain of one below which the next is not worth its time
-_HASTE: Final = 5, 0.02  # the same where there are several parts, which takes a while
+# Steps of the least squares, and the gain of one below which the next is not worth its time.
+_CARE: Final = 12, 1e-4
+_HASTE: Final = 5, 0.02  # the same for a long curve, which takes a while
 _END: Final = 6  # segments in which the curves come to correspond from their ends on
 _MARGIN: Final = 8  # control points on either side that have a say in what these shape
 _PER_SEGMENT: Final = 10  # samples of the old shape
