@@ -101,6 +101,26 @@ def test_it_hides_while_the_hand_drags_and_when_it_is_switched_off(window, card,
     assert not card.isVisible()
 
 
+def test_the_longest_numbers_show_from_their_sign_on_in_any_font(window, card, qtbot):
+    places = [[-1.23456789e-10, -123456.789], [-0.570796327, -1.0], [3.0, 1.0], [4.0, 0.5]]
+    window.document.start(Drawing([Item(Curve(places))]))
+    for point in (0, 1):
+        for size in (9, 15):
+            card.setStyleSheet(f"font-size: {size}pt")
+            window.selection.select(points={point})
+            for field in card.fields:
+                edit = field.lineEdit()
+                margins = edit.textMargins()
+                room = edit.width() - margins.left() - margins.right()
+                assert edit.fontMetrics().horizontalAdvance(edit.text()) < room
+            window.selection.select(points=())
+    window.selection.select(points={1})
+    field = card.fields[0]
+    for key in (KEY.Key_Return, KEY.Key_Escape):
+        qtbot.keyClick(window.focusWidget(), key)
+    assert field.lineEdit().cursorPosition() == 0
+
+
 @pytest.mark.parametrize("chosen", [[0], [1], [2], [4], [1, 3], [0, 1, 2, 3, 4]])
 def test_it_lies_within_the_canvas_and_covers_no_selected_point(window, card, chosen):
     window.selection.select(points=chosen)

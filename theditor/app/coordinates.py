@@ -61,7 +61,6 @@ class Coordinates(QFrame):
     def _field(self, axis: int, name: str, layout: QHBoxLayout) -> NumberField:
         field = NumberField(-MAX_COORDINATE, MAX_COORDINATE)
         describe(field, f"{name} of the selection", f"{name} of the selection: a number, 2/3, +1.5 or *2")
-        field.setFixedWidth(84)
         field.installEventFilter(self)
         field.entered.connect(lambda value: self._move(axis, value))
         field.stepped.connect(lambda count: self._step(axis, count))
@@ -143,6 +142,7 @@ class Coordinates(QFrame):
         self._held = Held(window.document.drawing, chosen)
         for field, value in zip(self.fields, self._middle, strict=True):
             field.show_value(value)
+            field.setFixedWidth(field.width_at_rest())
         self._place()
         self.show()
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QLocale, Signal
+from PySide6.QtCore import QEvent, QLocale, QSize, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence, QValidator, QWheelEvent
-from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QWidget
+from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QStyle, QStyleOptionSpinBox, QWidget
 
 from theditor.model import unbreakable
 from theditor.model.arithmetic import calculated
@@ -13,6 +13,8 @@ from theditor.panels.parts import tabular
 
 # More decimals than any double has: QDoubleSpinBox rounds to them.
 _DECIMALS = 323
+_LONGEST = f"{-1.23456789e-10:.6g}"  # of what is shown without the focus
+_INSET = 7  # of the text, in pixels
 
 
 @unbreakable
@@ -49,7 +51,7 @@ class NumberField(QDoubleSpinBox):
         self.setButtonSymbols(QAbstractSpinBox.ButtonSymbols.NoButtons)
         # Under a style sheet, Qt gives the text no room unless the missing buttons have a width.
         self.setStyleSheet("::up-button, ::down-button { width: 0; subcontrol-origin: border; }")
-        self.lineEdit().setTextMargins(7, 0, 7, 0)
+        self.lineEdit().setTextMargins(_INSET, 0, _INSET, 0)
         self.setFont(tabular(self.font()))
         self._show_text()
 
@@ -64,6 +66,16 @@ class NumberField(QDoubleSpinBox):
         self.blockSignals(False)
         self.lineEdit().setPlaceholderText("differ" if differing else "")
         self._show_text()
+
+    def width_at_rest(self) -> int:
+        """Return the width in pixels that shows any number in six digits, with its sign and its exponent."""
+        self.ensurePolished()
+        option = QStyleOptionSpinBox()
+        self.initStyleOption(option)
+        wide = self.fontMetrics().horizontalAdvance(_LONGEST) + 2 * _INSET
+        contents = QSize(wide, self.fontMetrics().height())
+        kind = QStyle.ContentsType.CT_SpinBox
+        return self.style().sizeFromContents(kind, option, contents, self).width()
 
     def take_back(self) -> None:
         """Put the old text back in place of what is being typed."""
@@ -164,4 +176,6 @@ class NumberField(QDoubleSpinBox):
         edit = self.lineEdit()
         edit.blockSignals(True)
         edit.setText(self._shown)
+        if not self.hasFocus():
+            edit.setCursorPosition(0)  # where there is no room for all, the sign and the first digits count
         edit.blockSignals(False)
