@@ -30,9 +30,19 @@ def clipboard():
     return QGuiApplication.clipboard()
 
 
-def box(curve):
-    points = curve.control_points[:, :2]
-    return points.min(axis=0), points.max(axis=0)
+def middle(curve):
+    return np.add(*bounds(curve)) / 2
+
+
+def view(window):
+    plane = window.canvas.plane
+    return plane.x, plane.y, plane.scale
+
+
+def is_in_view(window, curve):
+    plane = window.canvas.plane
+    pixels = plane.to_pixels(curve.sample(8))
+    return bool(((pixels >= 0) & (pixels <= (plane.width, plane.height))).all())
 
 
 def test_copy_and_paste_puts_the_middle_at_the_pointer(window, hand, qtbot):
@@ -42,7 +52,7 @@ def test_copy_and_paste_puts_the_middle_at_the_pointer(window, hand, qtbot):
     qtbot.keySequence(window.canvas, KEYS.Paste)
     copy = window.document.drawing[1]
     assert window.selection.curve == 1
-    assert np.add(*box(copy.curve)) / 2 == pytest.approx([1.5, -2.0], abs=0.02)
+    assert middle(copy.curve) == pytest.approx([1.5, -2.0], abs=0.02)
     shift = copy.curve.control_points - item.curve.control_points
     assert np.allclose(shift, shift[0], atol=1e-12)
     assert np.array_equal(copy.curve.lambdas, item.curve.lambdas)
@@ -74,7 +84,30 @@ def test_away_from_the_canvas_it_is_pasted_into_the_middle_of_the_view(window, h
     QApplication.sendEvent(window.canvas, QEvent(QEvent.Type.Leave))
     qtbot.keySequence(window.canvas, KEYS.Paste)
     plane = window.canvas.plane
-    assert np.add(*box(window.document.drawing[1].curve)) / 2 == pytest.approx([plane.x, plane.y])
+    assert middle(window.document.drawing[1].curve) == pytest.approx([plane.x, plane.y], abs=0.01)
+
+
+def test_what_is_pasted_is_in_view_and_the_view_moves_only_for_that(window, hand, qtbot):
+    window.canvas.show_view(-0.5, 1.8, 90.0)
+    before = view(window)
+    clipboard().setText("M0 0C1 2 3 2 4 0")  # whose control points are far away from it
+    paste(window, qtbot, "paste")
+    arch = window.document.drawing[1].curve
+    assert middle(arch) == pytest.approx(before[:2], abs=0.01)
+    assert is_in_view(window, arch)
+    assert view(window) == before
+    hand.move((4.0, -1.0))
+    paste(window, qtbot, "paste")
+    assert view(window) != before
+    assert all(is_in_view(window, item.curve) for item in window.document.drawing)
+
+
+def test_tiny_curves_are_pasted_where_one_looks(window, qtbot):
+    window.canvas.show_view(0.0, 0.0, 50.0)
+    before = view(window)
+    clipboard().setText("0 0\n0.1 0.1\n0.2 0")
+    paste(window, qtbot, "paste")
+    assert view(window) == before
 
 
 def test_cut_and_paste_in_place_gives_the_same_curve_back(window, qtbot):
@@ -207,9 +240,9 @@ def test_path_data_comes_to_the_pointer(window, qtbot, hand):
     clipboard().setText(" M0 0H10V5z ")
     hand.move((1.5, -2.0))
     paste(window, qtbot, "paste")
-    low, high = box(window.document.drawing[1].curve)
-    assert (low + high) / 2 == pytest.approx([1.5, -2.0], abs=0.02)
-    assert high - low == pytest.approx([10, 5])
+    curve = window.document.drawing[1].curve
+    assert middle(curve) == pytest.approx([1.5, -2.0], abs=0.02)
+    assert np.subtract(*bounds(curve)) == pytest.approx([-10, -5])
     assert window.announced == "Pasted “Path”. Exact."
 
 

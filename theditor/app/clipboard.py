@@ -12,13 +12,13 @@ from PySide6.QtWidgets import QAbstractSpinBox, QLineEdit
 
 from theditor.app.adding import add_curves
 from theditor.app.kept_options import kept_options
+from theditor.app.view import all_in_view, drawn_box, show_added
 from theditor.canvas import Pointed
 from theditor.canvas.projection import moved, projected
 from theditor.drawing import Drawing, DrawingError, Item, decode, encode
 from theditor.exchange import Imported, Options, Progress, read, told, write
 from theditor.exchange.scene import MM_PER_PIXEL
 from theditor.model import words
-from theditor.spline.extent import extent
 
 if TYPE_CHECKING:
     from theditor.app.main_window import MainWindow
@@ -125,7 +125,7 @@ class Clipboard:
         self._add(items, middle)
 
     def _add(self, items: list[Item], middle: tuple[float, float] | None, remark: str = "") -> None:
-        """Add curves where they are to be, and tell."""
+        """Add curves where they are to be, show them if they are out of view, and tell."""
         window = self._window
         if middle is not None:
             try:
@@ -134,6 +134,8 @@ class Clipboard:
                 window.announce(str(error))
                 return
         add_curves(window, "Paste", items)
+        if not all_in_view(window.canvas, window.selection):
+            show_added(window.canvas, window.selection)
         named = f"“{items[0].name}”" if len(items) == 1 else words.counted(len(items), "curve")
         window.announce(f"Pasted {named}. {remark}".rstrip())
 
@@ -266,8 +268,8 @@ def _from_table(text: str) -> list[Item]:
 
 
 def _moved_to(items: Sequence[Item], middle: tuple[float, float]) -> list[Item]:
-    """Return curves moved together, so that the middle of all their control points' box lies at a place."""
-    low, high = extent(np.concatenate([projected(item.curve).control_points for item in items]))
+    """Return curves moved together, so that the middle of them as drawn lies at a place."""
+    low, high = drawn_box(items)
     offset = np.array(middle) - (low + high) / 2
     try:
         return [

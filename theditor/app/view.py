@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QSettings
 
 from theditor.canvas import Canvas
 from theditor.canvas.held import Held
 from theditor.canvas.projection import projected
+from theditor.drawing import Item
 from theditor.model import Selection
 from theditor.spline.extent import extent
+
+Floats = NDArray[np.float64]
 
 MOST = 100
 """How many files are remembered."""
@@ -47,20 +52,30 @@ def zoom_to_selection(canvas: Canvas, selection: Selection) -> None:
     canvas.show_view(x, y, float(scales.min()) if scales.size else plane.scale)
 
 
+def drawn_box(items: Iterable[Item]) -> tuple[Floats, Floats]:
+    """Return the lowest and the highest corner, (2,) each, of some curves as drawn, without their control points."""
+    return extent(np.concatenate([projected(item.curve).sample(_SAMPLES) for item in items]))
+
+
+def all_in_view(canvas: Canvas, selection: Selection) -> bool:
+    """Whether the selected curves, as drawn, lie in the canvas from end to end."""
+    plane = canvas.plane
+    low, high = extent(_drawn_pixels(canvas, selection))
+    return bool((low >= 0).all() and (high <= (plane.width, plane.height)).all())
+
+
 def show_added(canvas: Canvas, selection: Selection) -> None:
     """Show the selected curves, which are new: the whole drawing if they are not in view, and closer if tiny."""
-
-    def look() -> tuple[bool, float]:
-        plane = canvas.plane
-        points = [projected(selection.drawing[i].curve).control_points for i in selection.curves]
-        low, high = extent(plane.to_pixels(np.concatenate(points)))
-        inside = (low >= 0).all() and (high <= (plane.width, plane.height)).all()
-        return bool(inside), float((high - low).max())
-
-    if not look()[0]:
+    if not all_in_view(canvas, selection):
         canvas.fit()
-    if look()[1] < _TINY:
+    if float(np.ptp(_drawn_pixels(canvas, selection), axis=0).max()) < _TINY:
         zoom_to_selection(canvas, selection)
+
+
+def _drawn_pixels(canvas: Canvas, selection: Selection) -> Floats:
+    """Return the corners, (2, 2), of the selected curves as drawn."""
+    box = drawn_box(selection.drawing[i] for i in selection.curves)
+    return canvas.plane.to_pixels(np.stack(box))
 
 
 def keep_view(path: Path | None, canvas: Canvas) -> None:
