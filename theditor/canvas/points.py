@@ -25,7 +25,9 @@ MOST_NAMED = 3
 
 
 AT_ONCE = 20
-"""When points go in or out at more places than this, with others refitted, it is long work."""
+"""When points go in or out at more places than this, it is long work."""
+FEW = 100
+"""The same when more go out than this."""
 
 Tell = Callable[[str], None]
 
@@ -144,7 +146,15 @@ def remove(document: Document, selection: Selection, tell: Tell, *, refit: bool)
         return ". ".join(told)
 
     words = f"Deleting {points_counted(chosen)}"
-    edit_curves(document, chosen, words, edit, finish, tell, long=refit and count > AT_ONCE)
+    edit_curves(
+        document,
+        chosen,
+        words,
+        edit,
+        finish,
+        tell,
+        long=count > AT_ONCE or sum(map(len, fewer.values())) > FEW,
+    )
 
 
 def make_corners(document: Document, selection: Selection) -> str:

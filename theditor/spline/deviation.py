@@ -10,11 +10,14 @@ from theditor.spline.curve import Curve
 from theditor.spline.distinct import distinct
 from theditor.spline.geometry import nearest
 from theditor.spline.joints import take_segments
+from theditor.spline.polylines import nearest_on_line
 from theditor.spline.refit import feet
+from theditor.spline.sampling import sample_adaptively
 
 _PER_SEGMENT: Final = 32
 _COARSE: Final = 8  # steps between the points that are measured first
 _REACH: Final = 3.0  # segments on either side of where a foot is expected
+_COARSELY: Final = 0.02  # of a distance: how near chords are where feet are looked for on the whole curve
 _CHORD: Final = 0.125  # of a segment: how far apart they are looked for
 _BLOCK: Final = 1024  # points at a time
 _ROUNDING: Final = 1e-14
@@ -119,12 +122,21 @@ def farthest(points: Floats, curve: Curve, u: Floats, least: float = 0.0) -> flo
             return max(found, float(most[block[0]])) if most[block[0]] <= nothing else found
         foot, distances = _near(points[block], curve, u[block])
         # These feet are local: only where the largest is confirmed by the global minimum is it the answer.
+        everywhere = False
         while distances[worst := int(np.argmax(distances))] > max(found, nothing):
             true = float(nearest(curve, points[block[worst]], near=foot[worst])[1])
             if true >= distances[worst] * (1 - 1e-9):
                 found = true
                 break
             distances[worst] = true
+            if not everywhere:
+                # So others are likely to be nearer to another part of the curve, too.
+                everywhere = True
+                far = np.flatnonzero(distances > max(found, nothing))
+                start = _nearest_chord(points[block[far]], curve, _COARSELY * float(distances.max()))
+                foot[far], distances[far] = _nearer(
+                    points[block[far]], curve, start, foot[far], distances[far]
+                )
         else:
             found = max(found, float(distances[worst]))
     return found
@@ -158,10 +170,27 @@ def _near(points: Floats, curve: Curve, u: Floats) -> tuple[Floats, Floats]:
     gaps -= t[:, :, None] * chords
     best = np.einsum("nkd,nkd->nk", gaps, gaps).argmin(axis=1)[:, None]
     start = np.take_along_axis(around, best, axis=1) + _CHORD * np.take_along_axis(t, best, axis=1)
-    foot = _round(curve, feet(curve, points, _round(curve, start[:, 0]), 6))
-    distances, before = (np.linalg.norm(curve(at) - points, axis=1) for at in (foot, _round(curve, u)))
-    nearer = distances <= before
-    return np.where(nearer, foot, _round(curve, u)), np.where(nearer, distances, before)
+    before = _round(curve, u)
+    return _nearer(points, curve, start[:, 0], before, np.linalg.norm(curve(before) - points, axis=1))
+
+
+def _nearest_chord(points: Floats, curve: Curve, tolerance: float) -> Floats:
+    """Return about where on the whole curve points are nearest, by chords that are within a tolerance."""
+    samples = sample_adaptively(curve, tolerance)
+    places, _ = nearest_on_line(points, samples.points)
+    segment = np.searchsorted(samples.starts, places, side="right") - 1
+    t = (places - samples.starts[segment]) / samples.intervals[segment]
+    return np.asarray(samples.segments[segment] + np.minimum(t, 1.0), dtype=np.float64)
+
+
+def _nearer(
+    points: Floats, curve: Curve, start: Floats, foot: Floats, distances: Floats
+) -> tuple[Floats, Floats]:
+    """Return the feet of points found from some starts and their distances, or those known if they are nearer."""
+    new = _round(curve, feet(curve, points, _round(curve, start), 6))
+    apart = np.linalg.norm(curve(new) - points, axis=1)
+    nearer = apart <= distances
+    return np.where(nearer, new, foot), np.where(nearer, apart, distances)
 
 
 def _round(curve: Curve, u: Floats) -> Floats:

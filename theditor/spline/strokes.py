@@ -11,6 +11,7 @@ from theditor.spline.basis import Floats
 from theditor.spline.curve import Curve
 from theditor.spline.deviation import farthest
 from theditor.spline.distinct import moves_on
+from theditor.spline.polylines import nearest_on_line
 from theditor.spline.sampling import evaluate_segments
 
 _TURN: Final = np.cos(
@@ -23,7 +24,6 @@ _PER_SEGMENT: Final = 16  # points of the curve to compare with the stroke
 _FINE: Final = 128  # the same where a segment may be the one that gets farthest off
 _SUSPECT: Final = 0.7  # of the farthest seen: a segment that gets so far off is looked at more closely
 _BLOCK: Final = 2048  # of these points at a time
-_RUN: Final = 32  # edges of the stroke
 
 
 def cleaned(points: Floats, closed: bool) -> Floats:
@@ -146,7 +146,7 @@ def _off_line(curve: Curve, segments: NDArray[np.intp], intervals: int, line: Fl
     farthest_of = []
     for i in range(0, len(segments), size):
         block = evaluate_segments(curve, segments[i : i + size], intervals)
-        away = _to_line(block.reshape(-1, curve.dimension), line)
+        _, away = nearest_on_line(block.reshape(-1, curve.dimension), line)
         farthest_of.append(away.reshape(len(block), -1).max(axis=1))
     return np.concatenate(farthest_of)
 
@@ -158,36 +158,3 @@ def parts(points: Floats, at: list[int], closed: bool) -> list[Floats]:
         points = np.concatenate((points, points[:1]))
         at = [index - at[0] for index in at[1:]]
     return [points[start : end + 1] for start, end in pairwise([0, *at, len(points) - 1])]
-
-
-def _to_line(points: Floats, line: Floats) -> Floats:
-    """Return the distances of points from a polyline, (n,).
-
-    Its edges are taken a run at a time: of each point the run that may be nearest, then those that its box
-    does not rule out.
-    """
-    starts = np.arange(0, len(line) - 1, _RUN)
-    places = np.minimum(starts[:, None] + np.arange(_RUN + 1), len(line) - 1)
-    runs = line[places]  # the last one ends in edges without length
-    low, high = runs.min(axis=1), runs.max(axis=1)
-    gaps = np.maximum(np.maximum(low - points[:, None], points[:, None] - high), 0)
-    least = np.einsum("nkd,nkd->nk", gaps, gaps)
-    first = least.argmin(axis=1)
-    best = _to_runs(points, runs[first])
-    least[np.arange(len(points)), first] = np.inf
-    point, run = np.nonzero(least < best[:, None])
-    np.minimum.at(best, point, _to_runs(points[point], runs[run]))
-    nearest: Floats = np.sqrt(best)
-    return nearest
-
-
-def _to_runs(points: Floats, runs: Floats) -> Floats:
-    """Return the squared distance of each point from a polyline of its own."""
-    start, edge = runs[:, :-1], np.diff(runs, axis=1)
-    away = points[:, None] - start
-    square = np.einsum("nkd,nkd->nk", edge, edge)
-    foot = np.einsum("nkd,nkd->nk", away, edge)
-    t = np.clip(np.divide(foot, square, out=np.zeros_like(foot), where=square > 0), 0, 1)
-    gaps = away - t[:, :, None] * edge
-    nearest: Floats = np.einsum("nkd,nkd->nk", gaps, gaps).min(axis=1)
-    return nearest
