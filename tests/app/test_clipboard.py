@@ -160,7 +160,10 @@ def test_a_table_of_numbers_becomes_a_curve_that_ends_at_its_first_and_last_poin
         ),
         ('{"format": "theditor", "version": 99, "curves": []}', "is 99, and 1 is the newest"),
         ('{"format": "theditor", "version": 1, "curves": []}', "has no curves: copy a curve"),
-        ("1 2", "needs at least 2 control points, not 1"),
+        (
+            "1 2",
+            "Line 1 makes no curve: a clamped cubic curve needs at least 2 control points, not 1. Copy a",
+        ),
         ("1e13 0\n0 0", "control point 0: x is"),
     ],
 )
@@ -255,7 +258,8 @@ def test_a_picture_that_cannot_be_read_is_told_and_changes_nothing(window, qtbot
     ):
         clipboard().setText(text)
         paste(window, qtbot)
-        assert words in window.messages.text
+        assert words in window.announced
+        assert not window.messages.text, "where it would stay through later ones that go well"
     assert window.document.drawing is drawing
 
 

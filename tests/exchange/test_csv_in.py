@@ -109,7 +109,7 @@ def test_a_table_written_here_comes_back_within_the_tolerance():
         ("1 2\n1 2 3", "line 2 has 3 columns, and the first line has 2"),
         ("1,5\t2.5\n1\t2", "both points and commas"),
         ("1 inf\n1 2", "line 1, column 2: “inf” is no number"),
-        ("1,2", "lines 1 to 1 make no curve"),
+        ("1,2", "line 1 makes no curve"),
         ("1,1e99\n1,2", "lines 1 to 2 make no curve"),
         ('x,y\n1,"2\n3,4', 'line 2, “1,"2”, is no row of a table'),
     ],

@@ -112,8 +112,11 @@ class Clipboard:
         reader = picture_reader(data)
         if reader is not None:
 
-            def take(imported: Imported) -> None:
-                self._add(_free(imported.drawing), middle, told(imported.deviation, imported.notes))
+            def take(found: Imported | str) -> None:
+                if isinstance(found, str):
+                    window.announce(found)
+                else:
+                    self._add(_free(found.drawing), middle, told(found.deviation, found.notes))
 
             window.work.start("Pasting a picture", reader, take, bound=True)
             return
@@ -196,9 +199,10 @@ def _lasting() -> QMimeData:
     return data
 
 
-def picture_reader(data: QMimeData) -> Callable[[Progress], Imported] | None:
+def picture_reader(data: QMimeData) -> Callable[[Progress], Imported | str] | None:
     """Return what reads the SVG picture, or the path data, that the clipboard carries; None if it carries none.
 
+    What cannot be read makes it return a sentence that says why: all that goes wrong with a paste is told alike.
     Curves of this program and text of drawings come first: they lose nothing.
     """
     # Loaded when first asked for: the libraries behind them take their time.
@@ -220,14 +224,14 @@ def picture_reader(data: QMimeData) -> Callable[[Progress], Imported] | None:
     return None
 
 
-def _told_of(reader: Callable[[Progress], Imported]) -> Callable[[Progress], Imported]:
-    """Return a reader whose errors say what they are about."""
+def _told_of(reader: Callable[[Progress], Imported]) -> Callable[[Progress], Imported | str]:
+    """Return a reader that returns its error, in words that say what it is about."""
 
-    def reading(progress: Progress) -> Imported:
+    def reading(progress: Progress) -> Imported | str:
         try:
             return reader(progress)
         except DrawingError as error:
-            raise DrawingError(f"What was copied cannot be pasted: {error}") from None
+            return f"What was copied cannot be pasted: {error}"
 
     return reading
 

@@ -71,7 +71,9 @@ def read(data: bytes, options: Options = DEFAULTS, progress: Progress | None = N
             curve, off, note = _curve(points, lambdas, options)
             item = Item(curve, name)
         except ValueError as error:
-            raise DrawingError(f"Lines {run[0].line} to {run[-1].line} make no curve: {error}") from None
+            first, last = run[0].line, run[-1].line
+            what = f"Line {first} makes" if first == last else f"Lines {first} to {last} make"
+            raise DrawingError(f"{what} no curve: {error}.") from None
         items.append(item)
         deviation = max(deviation, off)
         notes += [note] if note else []
