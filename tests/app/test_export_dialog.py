@@ -138,6 +138,25 @@ def test_the_preview_shows_what_is_asked_for(window, dialog):
     assert dialog.preview.text().startswith("x,y,u\n0.0,0.0,0.0\n")
 
 
+def test_print_style_ticks_what_it_draws_and_gives_back_what_was_ticked(dialog):
+    def ticked():
+        return {part for part, box in dialog.parts.items() if box.isChecked()}
+
+    dialog.parts["points"].setChecked(True)
+    dialog.print_style.click()
+    assert ticked() == {"polygon", "points", "labels"}
+    assert [box.isEnabled() for box in dialog.parts.values()] == [part == "comb" for part in dialog.parts]
+    dialog.parts["comb"].click()
+    for suffix in (".csv", ".pdf", ".svg"):
+        dialog.format.setCurrentIndex(dialog.format.findData(suffix))
+        assert dialog.print_style.isChecked() == (suffix == ".svg")
+    assert ticked() == {"polygon", "points", "labels", "comb"}
+    assert dialog.options().show == {"points", "comb"}
+    dialog.print_style.click()
+    assert ticked() == {"points", "comb"}
+    assert all(box.isEnabled() for box in dialog.parts.values())
+
+
 def test_what_is_no_number_is_told_and_bars_the_export(dialog, qtbot):
     dialog.tolerance.setFocus()
     dialog.tolerance.selectAll()

@@ -107,6 +107,7 @@ class ExportDialog(QDialog):
         self._kept = kept
         self._chosen: dict[str, Options] = {}
         self._suffix = ""
+        self._show: frozenset[str] = frozenset()  # what of the parts was ticked by hand
         self._make_fields()
         self.preview = ExportPreview(drawing)
         self.sentence = ProblemLine(2)
@@ -146,7 +147,7 @@ class ExportDialog(QDialog):
             tolerance=self.tolerance.number(),
             dpi=self.dpi.number(),
             transparent=self.transparent.isChecked(),
-            show=frozenset(part for part, box in self.parts.items() if box.isChecked()),
+            show=self._show,
             print_style=self.print_style.isChecked(),
             sampling=self.sampling.currentData(),
             samples=_whole(self.samples.number()),
@@ -206,7 +207,6 @@ class ExportDialog(QDialog):
         self._row("tolerance", "Tolera&nce, share of size", self.tolerance)
         self.measure.currentIndexChanged.connect(self._choose_size)
         self.sampling.currentIndexChanged.connect(self._show_rows)
-        self.print_style.toggled.connect(self._refresh)
 
     def _row(self, name: str, label: str | QLabel, field: Any) -> None:
         self._rows[name] = self._form.rowCount()
@@ -254,8 +254,8 @@ class ExportDialog(QDialog):
         self._choose_size()
         if way:
             self.side.show_value(options.scale or options.size)
-        for part, box in self.parts.items():
-            box.setChecked(part in options.show)
+        self._show = options.show
+        self._show_parts()
         for box, on in (
             (self.print_style, options.print_style),
             (self.transparent, options.transparent),
@@ -287,10 +287,22 @@ class ExportDialog(QDialog):
         self.side.setVisible("size" in shown and bool(self.measure.currentData()))
         self._refresh()
 
+    def _show_parts(self) -> None:
+        """Tick what is shown: what was ticked by hand, and what print style shows by itself."""
+        for part, box in self.parts.items():
+            printed = part in PRINTED and self.print_style.isChecked()
+            with QSignalBlocker(box):
+                box.setEnabled(not printed)
+                box.setChecked(printed or part in self._show)
+
     def _refresh(self) -> None:
         """Show what the fields ask for, or say why that cannot be."""
-        for part in PRINTED:
-            self.parts[part].setEnabled(not self.print_style.isChecked())
+        self._show = frozenset(
+            part
+            for part, box in self.parts.items()
+            if (box.isChecked() if box.isEnabledTo(self) else part in self._show)
+        )
+        self._show_parts()
         problem = ""
         try:
             self.preview.show_outcome(self._suffix, self.options())
