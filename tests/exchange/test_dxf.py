@@ -88,6 +88,14 @@ def test_the_entities_are_the_curve(name):
     assert gap(in_space(curve)[::17], points) <= 1e-3 * size
 
 
+@pytest.mark.parametrize(("degree", "weighted"), [(2, True), (3, False)])
+def test_a_hyperbola_is_exact_only_where_it_is_a_quadratic(degree, weighted):
+    written = write(Drawing([Item(known.hyperbola(degree=degree))]), ".dxf", Options(tolerance=1e-5))
+    found = entities(written.data)
+    assert [(kind, 41 in tags) for kind, tags in found] == [("SPLINE", weighted)] * len(found)
+    assert (written.deviation == 0) == weighted
+
+
 def test_a_whole_ellipse_is_one_entity():
     ((kind, tags),) = entities(write(Drawing([Item(ELLIPSE)]), ".dxf").data)
     assert kind == "ELLIPSE"

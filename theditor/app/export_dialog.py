@@ -61,7 +61,8 @@ _ASKED: Final[dict[str, _Asked]] = {
         size=PIXELS,
     ),
     ".dxf": _Asked(
-        "For CAD programs: ellipse and hyperbola arcs exactly, other curves as cubic splines, a layer for each.",
+        "For CAD programs: ellipse arcs exactly, hyperbola arcs of quadratics too, other curves as cubic splines, a "
+        "layer for each.",
         frozenset({"tolerance"}),
     ),
     ".tex": _Asked(

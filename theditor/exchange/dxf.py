@@ -1,4 +1,4 @@
-"""Writing DXF: ellipse arcs and conics exactly, the rest as cubic splines, in the plane or in space."""
+"""Writing DXF: ellipse arcs and a quadratic's hyperbola arcs exactly, the rest as cubic splines; in space, too."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ _SAME: Final = 1e-12  # relative difference of ellipses that are one
 def write(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     """Write the visible curves, each on a layer of its name and colour, one unit as one millimetre.
 
-    Straight segments become lines and polylines, elliptical arcs ellipses, hyperbola arcs rational quadratic
-    splines, all exact; runs of anything else cubic splines with clamped knots. z is kept. The same drawing
-    gives the same bytes.
+    Straight segments become lines and polylines, elliptical arcs ellipses, a quadratic's hyperbola arcs
+    rational quadratic splines, all exact; runs of anything else, a cubic's hyperbola arcs among them, cubic
+    splines with clamped knots. z is kept. The same drawing gives the same bytes.
     """
     with _unmarked():
         document = new(_VERSION, units=_MILLIMETRES)

@@ -107,7 +107,7 @@ def outline(
         Whether segments that are elliptical arcs become such, exact to rounding; a very thin one, with an
         axis ratio below 1e-5, does not.
     conics : bool
-        Whether hyperbola arcs, and the elliptical ones of a quadratic that have not become arcs, become
+        Whether a quadratic's hyperbola arcs, and its elliptical ones that have not become arcs, become
         rational quadratics, exact to rounding.
 
     Returns
