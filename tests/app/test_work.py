@@ -127,9 +127,9 @@ def refitted(monkeypatch, held):
     """A change of degree is long work, and goes on when it is let go."""
     with_degree = reshape.with_degree
 
-    def wait(curve, degree):
-        held(lambda share: None)
-        return with_degree(curve, degree)
+    def wait(curve, degree, progress):
+        held(progress)
+        return with_degree(curve, degree, progress)
 
     monkeypatch.setattr(reshape, "AT_ONCE", 0)
     monkeypatch.setattr(reshape, "with_degree", wait)
@@ -162,6 +162,7 @@ def test_a_curve_that_was_edited_while_its_degree_was_to_change_stays_as_it_was_
 ):
     choose_degree(window, 1 - window.curve.degree.currentIndex())
     Hand(window.canvas).drag(P5, (1.4, 2.0))
+    assert window.work.jobs == ()
     edited = window.document.drawing
     refitted.let_go()
     qtbot.waitUntil(lambda: idle(window))
@@ -234,6 +235,49 @@ def test_a_long_stroke_is_seen_until_it_is_a_curve(window, qtbot, scribble, held
     window.document.undo()
     window.document.undo()
     assert len(window.document.drawing) == 1
+
+
+def test_what_is_half_typed_or_selected_meanwhile_stays(window, qtbot, scribble, held):
+    scribble(0.5)
+    scribble(1.0)
+    first, second = window.work.jobs
+    window.selection.select(points=[3])
+    field = window.curve.name
+    field.setFocus()
+    field.selectAll()
+    qtbot.keyClicks(field, "Mine")
+    with qtbot.waitSignals([first.ended, second.ended]):
+        held.let_go()
+    QApplication.processEvents()
+    assert (field.text(), len(window.document.drawing)) == ("Mine", 1)
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert window.document.drawing[0].name == "Mine"
+    qtbot.waitUntil(lambda: idle(window))
+    assert [item.name for item in window.document.drawing] == ["Mine", "Curve 1", "Curve 2"]
+    assert (window.selection.curve, set(window.selection.points)) == (0, {3})
+
+
+def test_escape_calls_off_strokes_that_are_being_fitted_then_leaves(window, qtbot, scribble, held):
+    scribble(0.5)
+    scribble(1.0)
+    qtbot.keyClick(window.canvas, Qt.Key.Key_Escape)
+    assert window.work.jobs == ()
+    assert window.canvas._frame().sketch is None
+    assert window.actions_by_name["tool_freehand"].isChecked()
+    qtbot.keyClick(window.canvas, Qt.Key.Key_Escape)
+    assert window.actions_by_name["tool_select"].isChecked()
+    held.let_go()
+    qtbot.waitUntil(lambda: idle(window))
+    assert len(window.document.drawing) == 1
+
+
+def test_undo_gives_up_what_was_for_a_curve_that_is_gone(window, qtbot, refitted):
+    window.actions_by_name["add"].trigger()
+    name = window.selection.item.name
+    choose_degree(window, 0)
+    window.document.undo()
+    assert window.announced == f"Making “{name}” quadratic was given up: “{name}” changed meanwhile."
+    assert window.work.jobs == ()
 
 
 def test_a_stroke_that_is_called_off_is_gone_and_one_under_way_is_asked_about(

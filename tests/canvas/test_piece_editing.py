@@ -107,7 +107,7 @@ def test_closing_and_opening_keep_the_curve():
     assert not cut.closed
     assert cut(0) == pytest.approx(ring(3), abs=1e-12)
     pieces.close_or_open(document, selection, said.append)
-    assert said == ["Closed “a”; the shape is the same"]
+    assert said == ["Closed “a” by a new part from end to start; elsewhere the shape is the same"]
     again = document.drawing[0].curve
     assert np.sort(again.control_points, axis=0) == pytest.approx(np.sort(POINTS, axis=0))
 

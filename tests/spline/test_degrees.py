@@ -87,3 +87,17 @@ def test_the_deviation_of_a_long_curve_is_that_of_its_samples(long):
     back = farthest(edited.curve(v % new if curve.closed else v), curve, (v - shift) * old / new)
     assert edited.deviation == pytest.approx(max(there, back), rel=1e-9)
     assert edited.deviation < 0.05
+
+
+def test_a_change_of_degree_tells_its_progress_and_can_be_called_off():
+    curve = Curve(np.random.default_rng(1).normal(size=(1200, 2)).cumsum(axis=0))
+    shares = []
+
+    def stop(share):
+        shares.append(share)
+        if len(shares) == 2:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        with_degree(curve, 2, stop)
+    assert 0 == shares[0] < shares[1] < 1

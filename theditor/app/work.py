@@ -11,7 +11,7 @@ from threading import Thread
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QLineEdit, QWidget
 
 from theditor.app.problems import log
 from theditor.drawing import DrawingError
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 PATIENCE = 2.0
 """Seconds that a closing window waits for work to end."""
+MOMENT = 0.4
+"""The same before it asks whether to save."""
 _PAUSE = 50  # milliseconds between looks whether the hand has left the drawing
 
 
@@ -41,10 +43,11 @@ class Job(QObject):
         function: Callable[[Report], Any],
         done: Callable[[Any], object],
         otherwise: Callable[[], object] | None,
+        doomed: Callable[[], str] | None,
         bound: bool,
     ) -> None:
         super().__init__()
-        self.words, self.done, self.otherwise, self.bound = words, done, otherwise, bound
+        self.words, self.done, self.otherwise, self.doomed, self.bound = words, done, otherwise, doomed, bound
         self.share = 0.0
         self.cancelled = False
         self.result: Any = None
@@ -77,6 +80,7 @@ class Work(QObject):
         self._window = window
         self._jobs: list[Job] = []  # until their threads have ended: Qt's objects must not end in another one
         window.document.leaving.connect(self._leave_drawing)
+        window.document.stepped.connect(self._look)
         window.document.worker = self
 
     @property
@@ -91,24 +95,29 @@ class Work(QObject):
         done: Callable[[Result], object],
         otherwise: Callable[[], object] | None = None,
         *,
+        doomed: Callable[[], str] | None = None,
         bound: bool = False,
-    ) -> None:
+    ) -> Callable[[], None]:
         """Call a function in a thread, and hand its result to `done` in this one: see `Worker.start`.
 
-        That waits until no hand is on the drawing. A report raises once the work is called off. A
-        `DrawingError` is told in the window; other errors go to `sys.excepthook`.
+        That waits until no hand is on the drawing, and nothing half typed is in a field. A report raises once
+        the work is called off. A `DrawingError` is told in the window; other errors go to `sys.excepthook`.
         """
-        job = Job(words, function, done, otherwise, bound)
+        job = Job(words, function, done, otherwise, doomed, bound)
         job.ended.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
         self._jobs.append(job)
         self.changed.emit()
         job.task.start()
+        return partial(self.cancel, job)
 
     def cancel(self, job: Job) -> None:
         """Call a job off. Nothing comes of it, even if it does not end at once."""
+        self._give_up(job, f"{job.words} was cancelled.")
+
+    def _give_up(self, job: Job, told: str) -> None:
         if not job.cancelled:
             job.cancelled = True
-            self._window.announce(f"{job.words} was cancelled.")
+            self._window.announce(told)
             self.changed.emit()
             if job.otherwise is not None:
                 job.otherwise()
@@ -125,8 +134,8 @@ class Work(QObject):
         self.changed.emit()
 
     def settle(self) -> None:
-        """Wait a little for what the drawing at hand is to get: it belongs to it when it is asked about."""
-        end = time.monotonic() + PATIENCE
+        """Wait a moment for what the drawing at hand is to get: it belongs to it when it is asked about."""
+        end = time.monotonic() + MOMENT
         for job in self.jobs:
             if job.bound:
                 job.task.join(max(end - time.monotonic(), 0.0))
@@ -138,13 +147,21 @@ class Work(QObject):
             if job.bound:
                 self.cancel(job)
 
+    def _look(self) -> None:
+        """The document made a step: what can come to nothing any more is given up."""
+        for job in self.jobs:
+            reason = job.doomed() if job.doomed is not None and self._window.document.before is None else ""
+            if reason:
+                self._give_up(job, reason)
+
     def _deliver(self, job: Job) -> None:
         if job not in self._jobs:
             return
         at_hand = self._window.document.before is not None or QApplication.mouseButtons()
-        if at_hand and not job.cancelled:
+        if (at_hand or _typing(self._window.focusWidget())) and not job.cancelled:
             QTimer.singleShot(_PAUSE, self, partial(self._deliver, job))
             return
+        self._look()
         job.task.join()
         self._jobs.remove(job)
         if job.cancelled:
@@ -159,3 +176,9 @@ class Work(QObject):
             self._window.files.report(job.error)
         else:
             sys.excepthook(type(job.error), job.error, job.error.__traceback__)
+
+
+def _typing(widget: QWidget | None) -> bool:
+    """Whether something half typed is in a field."""
+    field = widget.lineEdit() if isinstance(widget, QAbstractSpinBox) else widget
+    return isinstance(field, QLineEdit) and field.isModified()

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from PySide6.QtCore import QSettings, Qt
@@ -27,6 +29,14 @@ LOOP = 8
 _GAP = np.full((1, 2), np.nan)
 
 
+@dataclass(eq=False)
+class _Waiting:
+    """A stroke that is being fitted."""
+
+    stroke: Floats
+    call_off: Callable[[], None] | None = None
+
+
 class FreehandTool:
     """Press, draw and let go: the stroke is fitted by a curve. One that ends where it began is closed."""
 
@@ -38,12 +48,12 @@ class FreehandTool:
     def __init__(self, bench: Bench, done: Callable[[], None]) -> None:
         self._bench, self._done = bench, done
         self._stroke: list[Floats] = []
-        self._waiting: list[Floats] = []  # strokes that are being fitted
+        self._waiting: list[_Waiting] = []
 
     @property
     def sketch(self) -> Sketch | None:
         """The stroke so far, and those that are still to become curves."""
-        strokes = [*self._waiting, np.array(self._stroke)]
+        strokes = [*(waiting.stroke for waiting in self._waiting), np.array(self._stroke)]
         lines = [part for stroke in strokes if len(stroke) > 1 for part in (stroke, _GAP)]
         return Sketch(np.concatenate(lines[:-1]), handles=False) if lines else None
 
@@ -79,40 +89,49 @@ class FreehandTool:
 
         def fitted(report: Report) -> Fitted | None:
             try:
-                return fit(stroke, degree, tolerance, closed=loop)
+                return fit(stroke, degree, tolerance, closed=loop, progress=partial(report, 0.0))
             except ValueError:
                 return None
 
         if len(stroke) <= AT_ONCE:
             self._draw(fitted(lambda share: None), scale)
             return
-        self._waiting.append(stroke)
+        chosen = self._bench.selection.chosen
 
         def arrive(result: Fitted | None) -> None:
             give_up()
-            self._draw(result, scale)
+            # What was selected meanwhile stays so.
+            self._draw(result, scale, current=self._bench.selection.chosen is chosen)
 
         def give_up() -> None:
-            self._waiting = [other for other in self._waiting if other is not stroke]
+            self._waiting.remove(waiting)
             self._bench.view.viewport().update()
 
-        self._bench.document.worker.start("Fitting the stroke", fitted, arrive, give_up, bound=True)
+        waiting = _Waiting(stroke)
+        self._waiting.append(waiting)
+        start = self._bench.document.worker.start
+        waiting.call_off = start("Fitting the stroke", fitted, arrive, give_up, bound=True)
 
-    def _draw(self, result: Fitted | None, scale: float) -> None:
+    def _draw(self, result: Fitted | None, scale: float, *, current: bool = True) -> None:
         """Add the curve, if there is one, and tell how near it is."""
         if result is None:
             self._bench.say("The stroke stayed in one place: draw a longer one.")
             return
-        self._bench.draw(result.curve)
+        self._bench.draw(result.curve, current=current)
         points = counted(len(result.curve.control_points), "control point")
         away = number(round(result.deviation * scale, 1))
         self._bench.say(f"Drew a curve of {points}, at most {away} px from the stroke")
 
     def key(self, keys: Keys) -> bool:
-        """Escape leaves."""
-        if keys.key == Qt.Key.Key_Escape:
+        """Escape calls off the strokes that are being fitted; if there are none, it leaves."""
+        if keys.key != Qt.Key.Key_Escape:
+            return False
+        if not self._waiting:
             self._done()
-        return keys.key == Qt.Key.Key_Escape
+        for waiting in [*self._waiting]:
+            if waiting.call_off is not None:
+                waiting.call_off()
+        return True
 
     def leave(self) -> None:
         """A stroke under way is given up with its drag."""

@@ -70,12 +70,16 @@ def _insert(document: Document, selection: Selection, places: Mapping[int, list[
             done += len(at)
         return edited
 
+    chosen = selection.chosen
+
     def finish(edited: dict[int, _Inserted]) -> str:
+        untouched = selection.chosen is chosen  # what was selected meanwhile stays so
         new = {i: result.new for i, result in edited.items()}
         curves = {i: result.curve for i, result in edited.items()}
         change = max((result.change for result in edited.values()), default=0.0)
         document.apply(f"Insert {points_counted(new)}", document.drawing.with_curves(curves))
-        selection.select_across(new, selection.curve, ())
+        if untouched:
+            selection.select_across(new, selection.curve, ())
         names = symbols("P", new[selection.curve]) if len(new) == 1 and selection.curve in new else ""
         return f"Inserted {names or points_counted(new)}; {shape_changed(change, *curves.values())}"
 

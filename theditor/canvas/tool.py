@@ -31,13 +31,14 @@ class Bench(NamedTuple):
     say: Callable[[str], None]
     """Tells what happened."""
 
-    def draw(self, curve: Curve) -> None:
-        """Add a curve to the drawing in one undo step, and make it current."""
+    def draw(self, curve: Curve, *, current: bool = True) -> None:
+        """Add a curve to the drawing in one undo step, and make it current unless something else is to stay so."""
         drawing = self.document.drawing
         names = {item.name for item in drawing}
         number = next(n for n in range(1, len(drawing) + 2) if f"Curve {n}" not in names)
         self.document.apply("Draw curve", drawing.inserted(len(drawing), Item(curve, name=f"Curve {number}")))
-        self.selection.select(curve=len(drawing))
+        if current:
+            self.selection.select(curve=len(drawing))
 
 
 class Keys(NamedTuple):

@@ -30,20 +30,19 @@ def edit_curves(
     edit
         Works on immutable values alone; its result goes to `finish`.
     finish
-        Replaces the curves in one undo step and returns what to tell. Not called if they changed meanwhile.
+        Replaces the curves in one undo step and returns what to tell. The work is given up if they change meanwhile.
     long
         Whether it is long work.
     """
     before = document.drawing
 
-    def arrive(result: Result) -> None:
+    def doomed() -> str:
         if all(_stands(before, document.drawing, i) for i in chosen):
-            tell(finish(result))
-        else:
-            tell(f"{words} was given up: {named(before, chosen)} changed meanwhile.")
+            return ""
+        return f"{words} was given up: {named(before, chosen)} changed meanwhile."
 
     worker = document.worker if long else AtOnce()
-    worker.start(words, edit, arrive, bound=True)
+    worker.start(words, edit, lambda result: tell(finish(result)), doomed=doomed, bound=True)
 
 
 def named(drawing: Drawing, curves: Collection[int]) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from theditor.model.document import Document
 from theditor.model.long_edits import edit_curves, named
@@ -23,24 +24,24 @@ Tell = Callable[[str], None]
 def set_degree(document: Document, selection: Selection, degree: int, tell: Tell) -> None:
     """Make the selected curves quadratic or cubic, with all points refitted; tell how well it went."""
     kind = "quadratic" if degree == 2 else "cubic"
-    words = f"Make {{}} {kind}", f"Making {{}} {kind}", f"Made {{}} {kind}"
-    _reshape(document, selection, lambda curve: with_degree(curve, degree), words, tell)
+    words = f"Make {{}} {kind}", f"Making {{}} {kind}", f"Made {{}} {kind};"
+    _reshape(document, selection, lambda curve, report: with_degree(curve, degree, report), words, tell)
 
 
 def close(document: Document, selection: Selection, tell: Tell) -> None:
     """Close the selected curves; tell how well it went."""
-    words = "Close {}", "Closing {}", "Closed {}"
-    _reshape(document, selection, lambda curve: with_ends(curve, True), words, tell)
+    words = "Close {}", "Closing {}", "Closed {} by a new part from end to start; elsewhere"
+    _reshape(document, selection, lambda curve, _: with_ends(curve, True), words, tell)
 
 
 def set_ends(document: Document, selection: Selection, ends: Ends, tell: Tell) -> None:
     """Clamp or free the ends of the selected curves; closed ones are opened where they begin."""
     words = (
-        ("Clamp {}", "Clamping {}", "Clamped {}")
+        ("Clamp {}", "Clamping {}", "Clamped {};")
         if ends == "clamped"
-        else ("Free ends of {}", "Freeing the ends of {}", "Freed the ends of {}")
+        else ("Free ends of {}", "Freeing the ends of {}", "Freed the ends of {};")
     )
-    _reshape(document, selection, lambda curve: with_ends(curve, False, ends), words, tell)
+    _reshape(document, selection, lambda curve, _: with_ends(curve, False, ends), words, tell)
 
 
 def reverse(document: Document, selection: Selection) -> str:
@@ -67,7 +68,7 @@ def reverse(document: Document, selection: Selection) -> str:
 def _reshape(
     document: Document,
     selection: Selection,
-    edit: Callable[[Curve], Edited],
+    edit: Callable[[Curve, Report], Edited],
     words: tuple[str, str, str],
     tell: Tell,
 ) -> None:
@@ -87,7 +88,7 @@ def _reshape(
         edited = {}
         for number, i in enumerate(chosen):
             report(number / len(chosen))
-            edited[i] = edit(drawing[i].curve)
+            edited[i] = edit(drawing[i].curve, partial(_report, report, number, len(chosen)))
         return edited
 
     def finish(edited: dict[int, Edited]) -> str:
@@ -97,7 +98,11 @@ def _reshape(
         if not new.keys().isdisjoint(selection.curves):
             selection.select_across(dict.fromkeys(selection.curves, ()), segments=())
         deviation = max(result.deviation for result in edited.values())
-        return f"{done.format(named(drawing, chosen))}; {shape_changed(deviation, *new.values())}"
+        return f"{done.format(named(drawing, chosen))} {shape_changed(deviation, *new.values())}"
 
     long = len(chosen) > FEW or sum(len(drawing[i].curve.lambdas) for i in chosen) > AT_ONCE
     edit_curves(document, chosen, doing.format(named(drawing, chosen)), edit_all, finish, tell, long=long)
+
+
+def _report(report: Report, before: int, count: int, share: float) -> None:
+    report((before + share) / count)

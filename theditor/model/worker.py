@@ -20,9 +20,10 @@ class Worker(Protocol):
         done: Callable[[Result], object],
         otherwise: Callable[[], object] | None = None,
         *,
+        doomed: Callable[[], str] | None = None,
         bound: bool = False,
-    ) -> None:
-        """Call a function, and hand its result to `done`.
+    ) -> Callable[[], None]:
+        """Call a function, and hand its result to `done`; returns what calls it off.
 
         Parameters
         ----------
@@ -32,6 +33,9 @@ class Worker(Protocol):
             Must touch neither window nor document: immutable values alone.
         otherwise
             Called in place of `done` if nothing comes of it: it failed, or was called off.
+        doomed
+            Asked after every step of the document. Once it returns a sentence, nothing can come of the work any
+            more; the sentence is told, and the work called off.
         bound
             Whether the work is for the drawing at hand, and is called off when another one takes its place.
         """
@@ -47,10 +51,16 @@ class AtOnce:
         done: Callable[[Result], object],
         otherwise: Callable[[], object] | None = None,
         *,
+        doomed: Callable[[], str] | None = None,
         bound: bool = False,
-    ) -> None:
+    ) -> Callable[[], None]:
         """See `Worker.start`."""
         done(function(_unheard))
+        return _over
+
+
+def _over() -> None:
+    """It is done: there is nothing to call off."""
 
 
 def _unheard(share: float) -> None:

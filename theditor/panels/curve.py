@@ -123,6 +123,7 @@ class CurvePanel(QWidget):
 
     def _rename(self) -> None:
         item = self._item
+        self.name.setModified(False)
         if item is None or self.name.text() == item.name:
             return
         try:

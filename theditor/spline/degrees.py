@@ -1,5 +1,6 @@
 """From quadratic to cubic and back, with the shape kept as well as it can be."""
 
+from collections.abc import Callable
 from typing import Final
 
 import numpy as np
@@ -18,14 +19,22 @@ _CARE: Final = 12, 1e-4
 _HASTE: Final = 5, 0.02  # the same for a long curve, which takes a while
 _END: Final = 6  # segments in which the curves come to correspond from their ends on
 _MARGIN: Final = 8  # control points on either side that have a say in what these shape
+_SHARE: Final = 0.6  # of the work that is refitting; the rest is measuring how well it went
 _PER_SEGMENT: Final = 10  # samples of the old shape
 
 
-def with_degree(curve: Curve, degree: int) -> Edited:
+def with_degree(curve: Curve, degree: int, progress: Callable[[float], None] | None = None) -> Edited:
     """Return the curve in another degree, all its control points refitted to change the shape least.
 
     Their number stays, unless the degree needs more; so do the ends and, but for interpolating values, which
     become those of the new degree, λ.
+
+    Parameters
+    ----------
+    curve : Curve
+    degree : {2, 3}
+    progress : callable, optional
+        Told now and then which share of the work is done, 0 to 1; what it raises ends the work.
 
     Raises
     ------
@@ -45,11 +54,11 @@ def with_degree(curve: Curve, degree: int) -> Edited:
         end, shift = min(_END, old / 2), (new - old) / 2
         met, meets = [0.0, end, old - end, old], [0.0, end + shift, old - end + shift, new]
     u = np.arange(_PER_SEGMENT * old + (not curve.closed)) / _PER_SEGMENT
-    fitted = _fitted(start, curve(u), np.interp(u, met, meets))
+    fitted = _fitted(start, curve(u), np.interp(u, met, meets), progress)
     return Edited(fitted, deviation(curve, fitted, met, meets))
 
 
-def _fitted(curve: Curve, targets: Floats, u: Floats) -> Curve:
+def _fitted(curve: Curve, targets: Floats, u: Floats, progress: Callable[[float], None] | None) -> Curve:
     """Return a curve brought near to targets, (n, d), about at ascending u, (n,), part after part."""
     count, n = len(curve.control_points), len(u)
     kept = int(not curve.closed and curve.ends == "clamped")
@@ -63,6 +72,8 @@ def _fitted(curve: Curve, targets: Floats, u: Floats) -> Curve:
     points, where = curve.control_points.copy(), u.copy()
     steps, enough = _CARE if count < _FREE + 2 * _MARGIN else _HASTE
     while low < end:
+        if progress is not None:
+            progress(_SHARE * low / end)
         high = end if whole else min(low + _FREE, end)
         around = np.arange(count) if whole else np.arange(low - _MARGIN, high + _MARGIN)
         # The targets on segments that the free points shape, and on one more on either side.

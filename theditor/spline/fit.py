@@ -65,6 +65,7 @@ def fit(
     shape: bool = True,
     corners: bool | Sequence[int] = True,
     lam: float = 0.0,
+    progress: Callable[[], object] | None = None,
 ) -> Fitted:
     """Return a curve along a stroke or samples, with as few control points as meet a tolerance.
 
@@ -92,6 +93,8 @@ def fit(
     lam : float
         The λ of all control points, or that from which they are fitted. With `LIKE_POLYNOMIALS` of the degree
         a smooth outline needs fewest control points where the tolerance is tight.
+    progress : callable, optional
+        Called before each attempt; what it raises ends the work.
 
     Raises
     ------
@@ -111,14 +114,14 @@ def fit(
         at = _corners_given(corners, given, stroke, closed)
     if closed and not at:
         return _fewest(
-            stroke, lambda count: _ring(stroke, count, degree, tolerance, lam), 3, tolerance, shape
+            stroke, lambda count: _ring(stroke, count, degree, tolerance, lam), 3, tolerance, shape, progress
         ).fitted
     if ends == "free" and degree == 3 and not closed and not at:
-        return _fit_loose(stroke, tolerance, shape, lam).fitted
+        return _fit_loose(stroke, tolerance, shape, lam, progress).fitted
     parts = strokes.parts(stroke, at, closed)
     last = len(parts) - 1
     met = [
-        _fit_part(part, degree, tolerance, shape, lam, closed or i > 0, closed or i < last)
+        _fit_part(part, degree, tolerance, shape, lam, closed or i > 0, closed or i < last, progress)
         for i, part in enumerate(parts)
     ]
     curve, where = _assembled(met, closed)
@@ -147,6 +150,7 @@ def _fit_part(
     lam: float,
     corner_before: bool,
     corner_after: bool,
+    progress: Callable[[], object] | None,
 ) -> _Met:
     """Return a clamped curve along a stroke without corners, its first or last point twice at a corner."""
     least = 1 if degree == 2 and not (corner_before or corner_after) else 0
@@ -169,7 +173,7 @@ def _fit_part(
         met = np.clip(np.arange(len(places)) - (degree == 2) / 2, 0, curve.segment_count)
         return _Start(curve, free, targets, np.interp(targets, spread, met))
 
-    return _fewest(part, start, least, tolerance, shape)
+    return _fewest(part, start, least, tolerance, shape, progress)
 
 
 def _places(count: int, degree: int, corner_before: bool, corner_after: bool) -> Floats:
@@ -193,7 +197,9 @@ def _places(count: int, degree: int, corner_before: bool, corner_after: bool) ->
     return places
 
 
-def _fit_loose(stroke: Floats, tolerance: float, shape: bool, lam: float) -> _Met:
+def _fit_loose(
+    stroke: Floats, tolerance: float, shape: bool, lam: float, progress: Callable[[], object] | None
+) -> _Met:
     """Return a cubic with free ends along an open stroke without corners."""
     s, efforts = strokes.effort(stroke, tolerance)
 
@@ -205,7 +211,7 @@ def _fit_loose(stroke: Floats, tolerance: float, shape: bool, lam: float) -> _Me
         u = np.interp(targets, spread, np.arange(len(places)))
         return _Start(curve, np.arange(len(curve.control_points)), targets, u, held=True)
 
-    curve, deviation = (met := _fewest(stroke, start, 0, tolerance, shape)).fitted
+    curve, deviation = (met := _fewest(stroke, start, 0, tolerance, shape, progress)).fitted
     # Held points are met nearly; the outermost control points make it exact.
     points = curve.control_points.copy()
     for end, u in ((0, 0), (-1, curve.segment_count)):
@@ -234,11 +240,18 @@ def _targets(spread: Floats) -> Floats:
 
 
 def _fewest(
-    stroke: Floats, start: Callable[[int], _Start], least: int, tolerance: float, shape: bool
+    stroke: Floats,
+    start: Callable[[int], _Start],
+    least: int,
+    tolerance: float,
+    shape: bool,
+    progress: Callable[[], object] | None,
 ) -> _Met:
     """Return the fit with the fewest free control points that meets the tolerance, or the closest one."""
 
     def attempt(count: int, bent: bool = False) -> _Met:
+        if progress is not None:
+            progress()
         curve, free, s, u, at_ends = start(count)
         line = np.concatenate((stroke, stroke[:1])) if curve.closed else stroke
         if len(free):
