@@ -62,6 +62,30 @@ def test_dragging_across_paints_every_active_column_on_the_way_however_quick(str
     assert document.undo_stack.count() == 1
 
 
+def test_a_drag_that_begins_where_nothing_is_shaped_paints_what_it_crosses(strip, hand, document, selection):
+    selection.select(points=[0, 2, 9])
+    before = lambdas(document)
+    hand.press(*at(strip, 0, 3.0))
+    hand.move(*at(strip, 0, 2.9))
+    assert lambdas(document).tolist() == before.tolist()
+    for column in (1, 3):
+        hand.move(*at(strip, column, 1.0))
+    hand.release()
+    assert lambdas(document)[:4].tolist() == [0.0, 1.0, 1.0, 1.0]
+    assert lambdas(document)[4:].tolist() == before[4:].tolist()
+    assert selection.points == {0, 2, 9}
+    assert document.undo_stack.count() == 1
+
+
+def test_painting_goes_on_across_selected_columns(strip, hand, document, selection):
+    selection.select(points=[6, 7, 9])
+    hand.press(*at(strip, 5, 0.0))
+    for column in (6, 7, 8):
+        hand.move(*at(strip, column, 0.0))
+    hand.release()
+    assert lambdas(document)[5:10].tolist() == [0.0, 0.0, 0.0, 0.0, 0.5]
+
+
 def test_escape_takes_the_painting_back(strip, hand, document, qtbot):
     before = document.drawing
     hand.press(*at(strip, 5, 1))

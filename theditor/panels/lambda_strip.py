@@ -23,8 +23,8 @@ class LambdaStrip(QAbstractScrollArea):
     """Shows every λ of the current curve side by side; only the visible columns are painted.
 
     Dragging a column brings its λ to the pointer, together with the other selected ones if it is among them;
-    dragging across columns paints. T, H and λ* attract, unless Shift is held; Ctrl drags ten times finer from
-    where λ is. A click selects the column's control point, with Shift adds it.
+    dragging across columns paints, also from one that shapes nothing. T, H and λ* attract, unless Shift is held;
+    Ctrl drags ten times finer from where λ is. A click selects the column's control point, with Shift adds it.
     """
 
     track_top = 8
@@ -42,6 +42,7 @@ class LambdaStrip(QAbstractScrollArea):
         self._points: frozenset[int] = frozenset()
         self._press: QPointF | None = None
         self._column = 0
+        self._together = False
         self._drag: scale.ScaleDrag | None = None
         self._gesture: LambdaGesture | None = None
         self._painted: dict[int, float] = {}
@@ -81,6 +82,9 @@ class LambdaStrip(QAbstractScrollArea):
     def _column_at(self, x: float) -> int:
         return int((x + self.horizontalScrollBar().value()) // self._width())
 
+    def _nearest_column(self, x: float) -> int:
+        return min(max(self._column_at(x), 0), self._count() - 1)
+
     def _place_at(self, y: float) -> float:
         return 1 - (y - self.track_top) / self.track_height
 
@@ -95,6 +99,7 @@ class LambdaStrip(QAbstractScrollArea):
         column = self._column_at(event.position().x())
         if event.button() == Qt.MouseButton.LeftButton and 0 <= column < self._count():
             self._press, self._column = event.position(), column
+            self._together = column in self._selection.points and len(self._selection.points) > 1
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Drag the λ under the hand; without a press, show what would be dragged."""
@@ -112,24 +117,22 @@ class LambdaStrip(QAbstractScrollArea):
         fine, free = _modifiers(event)
         value = self._drag.move(self._press.y() - position.y(), fine=fine, free=free)
         self._press = position
-        if self._column in self._selection.points and len(self._selection.points) > 1:
+        if self._together:
             targets = editable(self._selection)
             self._painted = dict.fromkeys(targets.tolist(), value)
         else:
-            self._paint_to(min(max(self._column_at(position.x()), 0), self._count() - 1), value)
+            self._paint_to(self._nearest_column(position.x()), value)
         painted = Targets({self._selection.curve: list(self._painted)})
         self._gesture.preview(painted, list(self._painted.values()))
 
     def _start_drag(self, event: QMouseEvent) -> bool:
-        """Begin the gesture once the pointer is far enough from where it was pressed, if λ may change."""
+        """Begin the gesture once the pointer is far enough from where it was pressed, and over a λ that may change."""
         assert self._press is not None
         assert self._item is not None
-        position = event.position()
-        if (position - self._press).manhattanLength() < QApplication.startDragDistance() / 2:
+        if not self._is_far(event.position()):
             return False
         reason = self._reason(self._column)
-        if reason:
-            self._press = None
+        if reason and not self._leave_inert(self._nearest_column(event.position().x())):
             self.announce.emit(reason)
             return False
         fine, _ = _modifiers(event)
@@ -138,6 +141,22 @@ class LambdaStrip(QAbstractScrollArea):
         self._drag = scale.ScaleDrag(self._item.curve.degree, self.track_height, place)
         self._gesture = LambdaGesture(self._document)
         self._painted = {}
+        return True
+
+    def _is_far(self, position: QPointF) -> bool:
+        """Whether the pointer is so far from where it was pressed that it drags."""
+        assert self._press is not None
+        return (position - self._press).manhattanLength() >= QApplication.startDragDistance() / 2
+
+    def _leave_inert(self, column: int) -> bool:
+        """Go on from a column that shapes nothing to the first that does on the way to another one, if any."""
+        assert self._item is not None
+        step = 1 if column >= self._column else -1
+        way, active = range(self._column, column + step, step), self._item.curve.active_lambdas
+        first = next((i for i in way if active[i]), None)
+        if first is None or self._item.locked:
+            return False
+        self._column, self._together = first, False
         return True
 
     def _paint_to(self, column: int, value: float) -> None:
@@ -154,10 +173,13 @@ class LambdaStrip(QAbstractScrollArea):
         """End the drag, or select the column clicked on."""
         if event.button() != Qt.MouseButton.LeftButton or self._press is None:
             return
+        clicked = not self._is_far(event.position())
         self._press = None
         if self._gesture is not None:
             self._gesture.commit()
             self._gesture = None
+        elif not clicked:
+            return
         elif event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
             self._selection.toggle(self._selection.curve, self._column)
         else:
