@@ -101,3 +101,23 @@ def test_a_change_of_degree_tells_its_progress_and_can_be_called_off():
     with pytest.raises(KeyboardInterrupt):
         with_degree(curve, 2, stop)
     assert 0 == shares[0] < shares[1] < 1
+
+
+def test_a_cubic_that_becomes_quadratic_ends_in_its_old_direction():
+    points = [
+        (0.6, 0),
+        (0, 0.6),
+        (-0.6, 0),
+        (-1.6, 1),
+        (-1.6, 3),
+        (1, 3),
+        (2, 5),
+        (2, 1),
+        (-1, 0.7),
+        (-1, -0.8),
+    ]
+    curve = Curve(points, [0, 0, 0, 9, 9, 1, 1, 1, 0.5, 0])
+    new = with_degree(curve, 2).curve
+    for old_end, new_end in ((0.0, 0.0), (float(curve.segment_count), float(new.segment_count))):
+        a, b = curve(old_end, 1), new(new_end, 1)
+        assert a @ b > 0.9 * np.linalg.norm(a) * np.linalg.norm(b)

@@ -19,6 +19,7 @@ _CARE: Final = 12, 1e-4
 _HASTE: Final = 5, 0.02  # the same for a long curve, which takes a while
 _END: Final = 6  # segments in which the curves come to correspond from their ends on
 _MARGIN: Final = 8  # control points on either side that have a say in what these shape
+_WORTH: Final = 1.25  # times the deviation may be what it is, if the curve ends in its old direction
 _SHARE: Final = 0.6  # of the work that is refitting; the rest is measuring how well it went
 _PER_SEGMENT: Final = 10  # samples of the old shape
 
@@ -54,23 +55,39 @@ def with_degree(curve: Curve, degree: int, progress: Callable[[float], None] | N
         end, shift = min(_END, old / 2), (new - old) / 2
         met, meets = [0.0, end, old - end, old], [0.0, end + shift, old - end + shift, new]
     u = np.arange(_PER_SEGMENT * old + (not curve.closed)) / _PER_SEGMENT
-    fitted = _fitted(start, curve(u), np.interp(u, met, meets), progress)
-    return Edited(fitted, deviation(curve, fitted, met, meets))
+    v = np.interp(u, met, meets)
+
+    def attempt(ends: int) -> Edited:
+        fitted = _fitted(start, curve(u), v, ends, progress)
+        return Edited(fitted, deviation(curve, fitted, met, meets))
+
+    edited = attempt(1)
+    if not curve.closed and _is_short(start):
+        # With only the ends held, the curve may come to them from the wrong side.
+        directed = attempt(2)
+        if directed.deviation <= _WORTH * edited.deviation:
+            return directed
+    return edited
 
 
-def _fitted(curve: Curve, targets: Floats, u: Floats, progress: Callable[[float], None] | None) -> Curve:
-    """Return a curve brought near to targets, (n, d), about at ascending u, (n,), part after part."""
+def _fitted(
+    curve: Curve, targets: Floats, u: Floats, ends: int, progress: Callable[[float], None] | None
+) -> Curve:
+    """Return a curve brought near to targets, (n, d), about at ascending u, (n,), part after part.
+
+    Of an open curve so many targets at either end are met just where they are to be.
+    """
     count, n = len(curve.control_points), len(u)
     kept = int(not curve.closed and curve.ends == "clamped")
     low, end = kept, count - kept
-    whole = curve.closed and count < _FREE + 2 * _MARGIN
+    whole = curve.closed and _is_short(curve)
     if curve.closed and not whole:
         end += _SHARED  # over the seam
     held = np.zeros(n, dtype=np.bool_)
     if not curve.closed:
-        held[[0, -1]] = True
+        held[:ends] = held[-ends:] = True
     points, where = curve.control_points.copy(), u.copy()
-    steps, enough = _CARE if count < _FREE + 2 * _MARGIN else _HASTE
+    steps, enough = _CARE if _is_short(curve) else _HASTE
     while low < end:
         if progress is not None:
             progress(_SHARE * low / end)
@@ -102,6 +119,11 @@ def _fitted(curve: Curve, targets: Floats, u: Floats, progress: Callable[[float]
         points[free % count], where[met] = part.control_points[free - around[0]], found + origin
         low = end if high == end else high - _SHARED
     return curve.with_(control_points=points)
+
+
+def _is_short(curve: Curve) -> bool:
+    """Whether all its control points are refitted at once."""
+    return len(curve.control_points) < _FREE + 2 * _MARGIN
 
 
 def _start(curve: Curve, degree: int) -> Curve:
