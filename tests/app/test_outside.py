@@ -82,7 +82,8 @@ def test_a_script_drives_the_window_live(window, file, qtbot, write):
     assert (window.canvas.plane.x, window.canvas.plane.scale) == pytest.approx((1.0, 50.0))
     assert not window.isWindowModified()
     assert "Reloaded “mine.json”" in window.announced
-    window.document.undo()
+    window.actions_by_name["undo"].trigger()
+    assert "Reloaded" not in window.announced
     assert window.document.drawing == first
     assert window.isWindowModified()
     window.document.redo()
@@ -202,6 +203,10 @@ def test_a_broken_file_is_told_and_the_drawing_stays(impatient, window, file, qt
     replace(file, shifted(first, 0.5))
     qtbot.waitUntil(lambda: window.document.drawing == shifted(first, 0.5))
     assert (window.messages.text, window.isWindowModified()) == ("", False)
+    assert "Reloaded" in window.announced
+    file.write_text("{")
+    qtbot.waitUntil(lambda: "the drawing here is as it was" in window.messages.text)
+    assert "Reloaded" not in window.announced
 
 
 def test_a_hand_on_the_drawing_is_not_disturbed(window, file, qtbot, hand):

@@ -26,6 +26,8 @@ class Found(NamedTuple):
     """What files of other programs hold."""
 
     items: tuple[Item, ...]
+    paths: tuple[Path, ...]
+    """The files that hold them."""
     told: str
     """How far the curves are from what the files show, and what else is to be known."""
     faults: tuple[str, ...]
@@ -67,7 +69,9 @@ def import_files(window: MainWindow, paths: Sequence[Path]) -> None:
     def add(found: Found) -> None:
         add_curves(window, "Import", found.items)
         show_added(window.canvas, window.selection)
-        window.announce(f"Imported {counted(len(found.items), 'curve')} from {_named(paths)}. {found.told}")
+        window.announce(
+            f"Imported {counted(len(found.items), 'curve')} from {_named(found.paths)}. {found.told}"
+        )
         if found.faults:
             window.messages.tell("\n".join(found.faults))
 
@@ -104,6 +108,7 @@ def read_files(paths: Sequence[Path], options: Options, progress: Progress) -> F
     items: list[Item] = []
     notes: list[str] = []
     faults: list[str] = []
+    good: list[Path] = []
     deviation = 0.0
     for number, path in enumerate(paths):
 
@@ -116,12 +121,13 @@ def read_files(paths: Sequence[Path], options: Options, progress: Progress) -> F
         except DrawingError as error:
             faults.append(str(error))
             continue
+        good.append(path)
         items += imported.drawing
         deviation = max(deviation, imported.deviation)
         notes += imported.notes
     if not items:
         raise DrawingError("\n".join(faults))
-    return Found(tuple(items), told(deviation, list(dict.fromkeys(notes))), tuple(faults))
+    return Found(tuple(items), tuple(good), told(deviation, list(dict.fromkeys(notes))), tuple(faults))
 
 
 def _read(path: Path, options: Options, progress: Progress) -> Imported:

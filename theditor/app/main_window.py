@@ -141,8 +141,9 @@ class MainWindow(QMainWindow):
         bar = self.statusBar()
         bar.setSizeGripEnabled(False)
         self._position, self._over, self._zoom, self._hint = (QLabel() for _ in range(4))
+        self._found = ""  # under the pointer
         self._announced = QTimer(self, singleShot=True, interval=STAYS)
-        self._announced.timeout.connect(lambda: self._say(""))
+        self._announced.timeout.connect(self.end_announcement)
         self._position.setProperty("role", "strong")
         self._position.setMinimumWidth(150)
         bar.addWidget(self._position)
@@ -212,6 +213,7 @@ class MainWindow(QMainWindow):
         self.recovery.failed.connect(
             lambda problem: self.announce(f"Unsaved work cannot be kept for a crash: {problem}")
         )
+        document.travelling.connect(self.end_announcement)
         document.renamed.connect(self._show_title)
         document.changed.connect(self._show_state)
         stack.cleanChanged.connect(self._show_state)
@@ -241,9 +243,17 @@ class MainWindow(QMainWindow):
             self.actions_by_name[command.name].setEnabled(command.enabled(self))
 
     def announce(self, text: str) -> None:
-        """Say something in the status line, until some seconds pass or the pointer finds something later on."""
+        """Say something in the status line, until some seconds pass or the pointer finds something later on.
+
+        Undo and redo end it: what it tells of may be undone.
+        """
         self._announced.start()
         self._say(text)
+
+    def end_announcement(self) -> None:
+        """Show what the pointer finds in place of what was announced."""
+        self._announced.stop()
+        self._say(self._found)
 
     def _say(self, text: str) -> None:
         """Show words in the status line; an announcement also takes the room of what is to its right."""
@@ -266,9 +276,9 @@ class MainWindow(QMainWindow):
         words = "" if position is None else f"x {position[0]:.{digits}f}   y {position[1]:.{digits}f}"
         self._position.setText(words.replace("-", "−"))
         unread = self._announced.remainingTime() > STAYS - LEAST_READ
+        self._found = pointed.over
         if (pointed.over and not unread) or not self._announced.isActive():
-            self._announced.stop()
-            self._say(pointed.over)
+            self.end_announcement()
         self._hint.setText(pointed.hint)
         self._zoom.setText(f"zoom {pointed.scale:.3g} px/unit")
 

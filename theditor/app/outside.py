@@ -163,6 +163,7 @@ class Outside:
 
     def _tell(self, text: str, *answers: tuple[str, Callable[[], object]]) -> None:
         self._said = text
+        self._window.end_announcement()  # it may tell of an earlier reload
         self._window.messages.tell(text, *answers)
 
     def _settle(self) -> None:

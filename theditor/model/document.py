@@ -37,6 +37,9 @@ class Document(QObject):
     stepped = Signal()
     """The undo history is another one: a step more or less, another state, another state saved."""
 
+    travelling = Signal()
+    """The history is about to go back or forth to another state, by undo, redo or a jump."""
+
     renamed = Signal()
     """The path or the title is another one."""
 
@@ -130,18 +133,24 @@ class Document(QObject):
     def undo(self) -> None:
         """Take the last step back; an open gesture counts as the last step."""
         self.settle()
+        if self.undo_stack.canUndo():
+            self.travelling.emit()
         self.undo_stack.undo()
         self.break_run()
 
     def redo(self) -> None:
         """Do the step last taken back once more."""
         self.settle()
+        if self.undo_stack.canRedo():
+            self.travelling.emit()
         self.undo_stack.redo()
         self.break_run()
 
     def jump(self, index: int) -> None:
         """Go to the state after the first `index` steps at once: views hear of one change, however many steps."""
         self.settle()
+        if index != self.undo_stack.index():
+            self.travelling.emit()
         before = self._drawing
         self._jumping = True
         self.undo_stack.blockSignals(True)
