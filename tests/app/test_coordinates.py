@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
+from theditor.canvas.transform import grips
 from theditor.drawing import Drawing, Item
 from theditor.spline import Curve
 
@@ -127,3 +128,6 @@ def test_it_lies_within_the_canvas_and_covers_no_selected_point(window, card, ch
     assert window.canvas.rect().contains(card.geometry())
     for pixel in window.canvas.plane.to_pixels(points(window)[chosen]):
         assert not card.geometry().contains(QPoint(*pixel.astype(int)))
+    for pixel in grips(points(window)[chosen], window.canvas.plane):
+        assert not card.geometry().contains(QPoint(*pixel.astype(int)))
+    assert not card.geometry().intersects(window.canvas.legend_area)

@@ -117,3 +117,20 @@ def test_a_locked_curve_has_no_box(boxed, hand):
     start = grip(boxed, 1, 1)
     hand.drag(start, start + [1.0, 1.0])
     assert points(boxed).tolist() == POINTS.tolist()
+
+
+def test_while_a_handle_is_dragged_the_status_line_tells_by_how_much(boxed, hand, qtbot):
+    start = grip(boxed, 1, 1)
+    hand.press(start)
+    with qtbot.waitSignal(boxed.pointed) as told:
+        hand.move(start + (2.0, 1.0))
+    assert told.args[0].hint.startswith("Scaled by 1.5 in x, 1.25 in y · Esc: take it back")
+    hand.move(start + (2.0, 1.0), CTRL)
+    hand.release(start + (2.0, 1.0), CTRL)
+    boxed.document.undo()
+    start = grip(boxed, 1, 1, beyond=MARGIN + OUTSIDE)
+    middle = (LOW + HIGH) / 2
+    hand.press(start)
+    with qtbot.waitSignal(boxed.pointed) as told:
+        hand.move(middle + (start - middle) @ np.array([[0, 1], [-1, 0]]))
+    assert told.args[0].hint.startswith("Turned by 90° · ")

@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, QObject, QRectF, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel
 
 from theditor.canvas.held import Held
 from theditor.canvas.nudge import step
 from theditor.canvas.projection import projected
-from theditor.canvas.transform import MARGIN, OUTSIDE
+from theditor.canvas.transform import MARGIN, OUTSIDE, grips
 from theditor.model.words import points_counted
 from theditor.panels.number_field import NumberField
 from theditor.panels.parts import describe
@@ -29,6 +29,8 @@ NEAR, FAR = 28.0, MARGIN + OUTSIDE + 10.0
 """Distance in pixels from one control point, and from several, whose box has handles outside."""
 EDGE = 8.0
 """Pixels that stay free at the edge of the canvas."""
+GRID = 9
+"""Rows and columns of places that are tried where none beside the selection is free."""
 MOST = 2000
 """Of more selected points than this some are kept free, of a curve with more points only the selected ones."""
 _SAMPLES = 8
@@ -150,7 +152,7 @@ class Coordinates(QFrame):
         return any(field.hasFocus() for field in self.fields)
 
     def _place(self) -> None:
-        """Lie beside the selection, where it covers as few control points and as little of the curve as possible."""
+        """Lie beside the selection, where it covers few points, handles of their box, and little of the curve."""
         plane = self._window.canvas.plane
         pixels = plane.to_pixels(self._held.places)
         if not len(pixels):
@@ -158,21 +160,28 @@ class Coordinates(QFrame):
         self.resize(self.sizeHint())
         size = np.array([self.width(), self.height()], dtype=float)
         low, high = extent(pixels)
-        pixels = pixels[:: len(pixels) // MOST + 1]
+        pixels = np.vstack([pixels[:: len(pixels) // MOST + 1], grips(self._held.places, plane)])
         around, along = self._near()
         spots = _spots(low, high, NEAR if (low == high).all() else FAR, size)
         room = np.array([plane.width, plane.height]) - size - EDGE
         inside = [np.clip(spot, EDGE, np.maximum(room, EDGE)) for spot in spots]
         corners = [np.array(corner) for corner in ((room[0], room[1]), (EDGE, room[1]), (room[0], EDGE))]
 
+        legend = self._window.canvas.legend_area
+
         def covered(spot: Floats) -> tuple[int, int]:
             end = spot + size
+            hides_legend = legend.intersects(QRectF(*spot, *size).toAlignedRect())
             inner, outer, line = (
                 int(((p > spot - 8) & (p < end + 8)).all(axis=1).sum()) for p in (pixels, around, along)
             )
-            return inner, _SAMPLES * outer + line
+            return inner + hides_legend, _SAMPLES * outer + line
 
         best = min(inside + corners, key=covered)
+        if covered(best)[0]:
+            shares = np.linspace(0, 1, GRID)
+            elsewhere = [EDGE + (room - EDGE) * np.array([x, y]) for y in shares for x in shares]
+            best = min([best, *elsewhere], key=covered)
         self.move(int(best[0]), int(best[1]))
 
     def _near(self) -> tuple[Floats, Floats]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QEvent, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QRect, QRectF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QResizeEvent
 from PySide6.QtWidgets import QToolTip, QWidget
 
@@ -231,6 +231,11 @@ class Canvas(PlaneView):
         self._legend.resize(self._legend.sizeHint())
         self._legend.move((self.width() - self._legend.width()) // 2, 12)
         self._show_legend()
+
+    @property
+    def legend_area(self) -> QRect:
+        """Where the legend of the modes lies on the canvas; empty without it."""
+        return self._legend.geometry() if self._legend.isVisible() else QRect()
 
     def _show_legend(self) -> None:
         """Show the legend if it is wanted and fits."""

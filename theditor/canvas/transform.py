@@ -13,7 +13,7 @@ from theditor.canvas.hit_test import BoxHit
 from theditor.canvas.tools import Pointer
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.model import Colours, Document, Gesture, Selection
-from theditor.model.words import points_counted
+from theditor.model.words import number, points_counted
 from theditor.spline.extent import extent
 
 MARGIN = 18.0
@@ -69,6 +69,16 @@ def handles(box: Box, kind: Literal["scale", "turn"]) -> list[tuple[int, int]]:
     return [sides for sides in _SIDES if all(size[axis] > 0 for axis in (0, 1) if sides[axis])]
 
 
+def grips(places: Floats, plane: Viewport) -> Floats:
+    """The pixels (n, 2) of all handles of the box around places."""
+    box = box_around(places)
+    if box is None:
+        return np.empty((0, 2))
+    scale = [box.place(sides, plane, MARGIN) for sides in handles(box, "scale")]
+    turn = [box.place(sides, plane, MARGIN + OUTSIDE) for sides in handles(box, "turn")]
+    return np.array(scale + turn)
+
+
 def paint_box(painter: QPainter, box: Box, plane: Viewport, colours: Colours) -> None:
     """Paint the box with its handles: squares to scale, rings to turn."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -100,6 +110,8 @@ class Transform:
         self._press, self._hit, self._box = press, hit, box
         self._chosen = selection.movable
         self.turns = hit.kind == "turn"
+        self.told = ""
+        """What is done so far: by what factors, or by what angle."""
         self._gesture: Gesture | None = None
 
     def move(self, pointer: Pointer) -> None:
@@ -132,6 +144,8 @@ class Transform:
             factors[:] = np.dot(reached[held], arm[held]) / np.dot(arm[held], arm[held])
         else:
             factors[held] = reached[held] / arm[held]
+        across, up = (number(round(float(factor), 4)) for factor in factors)
+        self.told = f"Scaled by {across}" if across == up else f"Scaled by {across} in x, {up} in y"
         return anchor + (points - anchor) * factors
 
     def _turned(self, points: Floats, pointer: Pointer) -> Floats:
@@ -140,6 +154,8 @@ class Transform:
         angle = np.arctan2(y1, x1) - np.arctan2(y0, x0)
         if pointer.ctrl:
             angle = np.round(angle / STEP) * STEP
+        degrees = np.degrees(np.arctan2(np.sin(angle), np.cos(angle)))
+        self.told = f"Turned by {number(round(float(degrees), 2))}°"
         turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
         turned: Floats = anchor + (points - anchor) @ turn
         return turned

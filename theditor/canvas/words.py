@@ -93,9 +93,9 @@ def hint(hit: Hit, drag: Drag | None) -> str:
         return "Esc: take it back · Ctrl: horizontal or vertical · Shift: no snapping"
     if isinstance(drag, Transform):
         turns = "Ctrl: in steps of 15° · Shift: about the opposite corner"
-        return "Esc: take it back · " + (
-            turns if drag.turns else "Ctrl: in proportion · Shift: about the middle"
-        )
+        told = f"{drag.told} · " if drag.told else ""
+        more = turns if drag.turns else "Ctrl: in proportion · Shift: about the middle"
+        return f"{told}Esc: take it back · {more}"
     if drag is not None:
         return ""
     if isinstance(hit, BoxHit):
