@@ -147,3 +147,4 @@ def test_corners_are_made_on_each_curve(canvas):
     canvas.selection.select_across({0: [2], 1: [1]})
     assert make_corners(canvas.document, canvas.selection) == "Made a corner at 2 control points on 2 curves"
     assert [len(item.curve.control_points) for item in canvas.document.drawing] == [8, 6]
+    assert across(canvas) == {0: [2, 3, 4], 1: [1, 2, 3]}

@@ -5,6 +5,7 @@ from hypothesis import strategies as st
 from spline_strategies import curves
 
 from theditor.spline import INTERPOLATING, Curve, corner, smooth
+from theditor.spline.corners import kept_places
 
 ZIGZAG = [(0, 0), (4, 6), (9, 1), (13, 7), (18, 0), (22, 5)]
 
@@ -38,6 +39,9 @@ def test_smoothing_takes_a_corner_away_again(curve, data):
             assert len(sharp.control_points) == len(curve.control_points) + curve.degree - 1
             assert corner(sharp, index) == sharp
             assert smooth(sharp, index + 1) == curve
+            run = range(index, index + curve.degree)
+            assert kept_places(curve, sharp, index).tolist() == [*run]
+            assert kept_places(sharp, curve, run).tolist() == [index]
             assert smooth(curve, index) == curve
 
 
@@ -93,7 +97,11 @@ def test_a_corner_at_the_seam_of_a_closed_curve_can_be_smoothed():
         sharp = corner(ring, index)
         assert smooth(sharp, index) == ring
     wrapped = ring.with_(control_points=[ZIGZAG[0], *ZIGZAG, ZIGZAG[0]], lambdas=np.full(8, 0.5))
-    assert len(smooth(wrapped, 0).control_points) == 6
+    plain = smooth(wrapped, 0)
+    assert len(plain.control_points) == 6
+    assert (plain.control_points[kept_places(wrapped, plain, 0)] == ZIGZAG[0]).all()
+    again = corner(plain, kept_places(wrapped, plain, [0, 7]))
+    assert kept_places(plain, again, 5).tolist() == [5, 6, 7]
 
 
 def test_ends_have_no_corner():

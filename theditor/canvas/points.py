@@ -201,15 +201,9 @@ def _each(
     if after == drawing:
         return f"Nothing changed: {named or points_counted(places)} is that already"
     document.apply(text, after)
-    met = {i: drawing[i].curve.control_points[of] for i, of in chosen.items()}
-    selection.select_across({i: _in_places(new[i], met[i]) for i in new}, selection.curve, ())
+    now = {i: corners.kept_places(drawing[i].curve, curve, chosen[i]) for i, curve in new.items()}
+    selection.select_across(now, segments=())
     return f"{told} {named or points_counted(places)}"
-
-
-def _in_places(curve: Curve, places: Floats) -> list[int]:
-    """The control points that lie in one of some places."""
-    known = {tuple(place) for place in places.tolist()}
-    return [i for i, point in enumerate(curve.control_points.tolist()) if tuple(point) in known]
 
 
 def _apart(curve: Curve, chosen: list[int]) -> list[int]:

@@ -81,6 +81,23 @@ def smooth(curve: Curve, indices: ArrayLike) -> Curve:
     )
 
 
+def kept_places(old: Curve, new: Curve, indices: ArrayLike) -> Indices:
+    """Return the control points that lie, after `corner` or `smooth`, where some lay before; all repeats, ascending.
+
+    Parameters
+    ----------
+    old, new : Curve
+        Before and after.
+    indices : int or array_like of int
+        Control points of the old curve.
+    """
+    before, after = (np.cumsum(moves_on(curve.control_points)) - 1 for curve in (old, new))
+    fewer = before[-1] - after[-1]  # over the seam the first run goes
+    runs = (before[clean_indices(indices, len(before), "control point")] - fewer) % (after[-1] + 1)
+    starts, lengths = _runs(new, np.searchsorted(after, runs))
+    return distinct(_spread(starts, starts + lengths - 1) % len(after))
+
+
 def _runs(curve: Curve, indices: Indices) -> tuple[Indices, Indices]:
     """Return where the equal control points around each of some begin, and how many there are."""
     count = len(curve.control_points)
