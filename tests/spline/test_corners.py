@@ -60,10 +60,8 @@ def test_many_corners_at_once_are_as_many_one_after_the_other(curve, data):
     if (points == points[0]).all() and curve.closed:
         chosen = chosen[:1]
     one = curve
-    for i in chosen:
-        # Points keep their order, so it is found by those that are not after it.
-        at = len(one.control_points) - (count - i)
-        one = corner(one, at % len(one.control_points))
+    for i in reversed(chosen):  # those before stay where they are
+        one = corner(one, i)
     many = corner(curve, chosen)
     np.testing.assert_array_equal(many.control_points, one.control_points)
     np.testing.assert_array_equal(many.lambdas, one.lambdas)
