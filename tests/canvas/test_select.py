@@ -94,6 +94,11 @@ def test_tab_steps_through_the_points_and_f6_leaves(canvas, qtbot):
     qtbot.keyClick(canvas, Key.Key_Backtab, SHIFT)
     assert canvas.selection.points == {1}
     assert said[-1] == "P₁ at (1, 3), λ₁ = 0"
+    QSettings().setValue("nudge", 0.5)
+    qtbot.keyClick(canvas, Key.Key_Right)
+    QSettings().remove("nudge")
+    assert said[-1] == "P₁ at (1.5, 3), λ₁ = 0"
+    canvas.document.undo()
     for _ in range(2):
         qtbot.keyClick(canvas, Key.Key_Backtab, SHIFT)
     assert canvas.selection.points == {5}

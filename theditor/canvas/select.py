@@ -193,7 +193,10 @@ class SelectTool:
         if keys.key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
             self._bench.say("No control point is selected; whole curves are deleted in the list of curves.")
             return True
-        return nudge(self._bench, keys)
+        nudged = nudge(self._bench, keys)
+        if nudged and len(self._bench.selection.points) == self._bench.selection.count == 1:
+            self._tell_place()
+        return nudged
 
     def _step(self, *, backward: bool) -> bool:
         """Select the next control point alone, show it and tell where it is; round the curve."""
@@ -205,12 +208,18 @@ class SelectTool:
         last = min(chosen, default=0) if backward else max(chosen, default=-1)
         index = (last + (-1 if backward else 1)) % count
         selection.select(points={index}, segments=())
-        point = item.curve.control_points[index]
-        self._bench.view.reveal(point[:2])
-        where = ", ".join(number(x) for x in point.tolist())
+        self._bench.view.reveal(item.curve.control_points[index][:2])
+        self._tell_place()
+        return True
+
+    def _tell_place(self) -> None:
+        """Tell where the one selected control point is, and its λ."""
+        item = self._bench.selection.item
+        assert item is not None, "the point is on the current curve"
+        (index,) = self._bench.selection.points
+        where = ", ".join(number(x) for x in item.curve.control_points[index].tolist())
         lam = number(float(item.curve.lambdas[index]))
         self._bench.say(f"{indexed('P', index)} at ({where}), {indexed('λ', index)} = {lam}")
-        return True
 
     @property
     def keys(self) -> frozenset[int]:
