@@ -5,6 +5,7 @@ from hypothesis import strategies as st
 from spline_strategies import curves
 
 from theditor.spline import Curve, fewest_points, insert, insert_on_edge, remove
+from theditor.spline.points import edge_at, insert_many
 
 RADIUS = 100.0
 
@@ -119,3 +120,34 @@ def test_what_would_leave_too_few_points_is_refused(degree, kind):
 def test_what_makes_no_sense_is_refused_with_its_place(change, message):
     with pytest.raises(ValueError, match=message):
         change(Curve([(0, 0), (1, 2), (3, -1), (5, 1), (6, 0)]))
+
+
+@pytest.mark.parametrize("degree", [2, 3])
+@pytest.mark.parametrize("kind", ["free", "clamped", "closed"])
+@pytest.mark.parametrize("every", [1, 4])
+def test_many_points_are_inserted_and_removed_together(degree, kind, every):
+    angle = np.linspace(0, 2 * np.pi, 120, endpoint=kind != "closed")
+    points = np.stack((3 * np.cos(angle), 2 * np.sin(angle) + 0.3 * np.cos(3 * angle)), axis=1)
+    lam = np.where(np.arange(120) // 30 % 2, 1.0, 0.2)
+    curve = Curve(points, lam, degree, kind == "closed", "clamped" if kind == "clamped" else "free")
+    places = np.arange(10, 10 + 24 * every, every) + 0.5
+    more = insert_many(curve, places)
+    new = np.array([edge_at(curve, u) + 1 for u in places]) + np.arange(24)
+    assert len(more.curve.control_points) == 144
+    assert more.deviation < 5e-3
+    fewer = remove(more.curve, new)
+    assert len(fewer.curve.control_points) == 120
+    assert fewer.deviation < 5e-3
+    for before, (after, change) in ((curve, more), (more.curve, fewer)):
+        # What is told is what dense samples say, both ways, and points far from the places stay.
+        a, b = before.sample(30), after.sample(30)
+        gaps = np.linalg.norm(a[:, None] - b, axis=2)
+        far = max(gaps.min(axis=0).max(), gaps.min(axis=1).max())
+        step = max(np.linalg.norm(np.diff(x, axis=0), axis=1).max() for x in (a, b))
+        assert abs(change - far) <= step / 2 + 0.05 * far
+        if kind != "closed":
+            ends = [c([0, c.segment_count]) for c in (before, after)]
+            np.testing.assert_allclose(*ends, atol=1e-6)
+    tail = edge_at(curve, places[-1]) + 6
+    for other in (curve, fewer.curve):
+        np.testing.assert_array_equal(other.control_points[tail:], more.curve.control_points[tail + 24 :])

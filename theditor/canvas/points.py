@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from functools import partial
 from typing import NamedTuple
@@ -88,16 +87,18 @@ def _insert(document: Document, selection: Selection, places: Mapping[int, list[
 
 
 def _inserted(curve: Curve, places: list[float], report: Callable[[int], None]) -> _Inserted:
-    """Insert from the last place to the first, so that those to come stay where they are."""
+    """Insert from the last place to the first, so that those to come stay where they are; many all together."""
     change = 0.0
-    edges = []
-    for number, u in enumerate(sorted(places, reverse=True)):
+    places = sorted(places, reverse=True)
+    new = np.sort([edits.edge_at(curve, u) + 1 for u in places]) + np.arange(len(places))
+    if len(places) > AT_ONCE:
+        curve, change = edits.insert_many(curve, places)
+        return _Inserted(curve, new.tolist(), change)
+    for number, u in enumerate(places):
         report(number)
-        edges.append(_edge_at(curve, u) + 1)
         curve, deviation = edits.insert(curve, u)
         change += deviation
-    new = np.array(edges[::-1], dtype=np.intp) + np.arange(len(edges))
-    return _Inserted(curve, sorted(new.tolist()), change)
+    return _Inserted(curve, new.tolist(), change)
 
 
 def _report(report: Report, before: int, count: int, done: int) -> None:
@@ -231,13 +232,6 @@ def near_edge(polygon: Floats, at: Floats, reach: float) -> tuple[int, float] | 
     distances = np.hypot(*(start + f[:, None] * along - at).T)
     edge = int(np.argmin(distances))
     return (edge, float(f[edge])) if distances[edge] <= reach else None
-
-
-def _edge_at(curve: Curve, u: float) -> int:
-    """The polygon's edge, by its first point, on which a point inserted at `u` goes."""
-    edge = math.floor(u + curve.first_segment - (0.5 if curve.degree == 2 else 0.0))
-    count = len(curve.control_points)
-    return edge % count if curve.closed else min(max(edge, 0), count - 2)
 
 
 def _middle(curve: Curve, edge: int) -> float:

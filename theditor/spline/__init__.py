@@ -29,7 +29,7 @@ from theditor.spline.lambdas import gradient, shifted, smoothed
 from theditor.spline.length import arc_length, arc_lengths, parameter_at
 from theditor.spline.path_data import path_data
 from theditor.spline.pieces import Split, closed, join, opened, split, with_free_ends
-from theditor.spline.points import Edited, insert, insert_on_edge, remove
+from theditor.spline.points import Edited, insert, insert_many, insert_on_edge, remove
 from theditor.spline.projection import projected
 from theditor.spline.reach import Reach, Track, joint_track, middle_track, reach
 from theditor.spline.recognise import Missing, Recognised, missing, recognise, recognise_segments
@@ -96,6 +96,7 @@ __all__ = [
     "hull",
     "inflections",
     "insert",
+    "insert_many",
     "insert_on_edge",
     "intersections",
     "intervals_for",
