@@ -8,6 +8,7 @@ from hand import Hand
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QMessageBox
 
+from theditor.app.work import MOMENT
 from theditor.app.work_card import WorkCard
 from theditor.canvas import freehand
 from theditor.canvas import points as point_edits
@@ -290,7 +291,7 @@ def test_a_stroke_that_is_called_off_is_gone_and_one_under_way_is_asked_about(
     assert window.close()
     window.show()
     scribble(1.0)
-    threading.Timer(0.05, held.let_go).start()
+    threading.Timer(2 * MOMENT, held.let_go).start()
     assert not window.close()
     assert len(asked) == 1
     assert len(window.document.drawing) == 2

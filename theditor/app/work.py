@@ -45,8 +45,10 @@ class Job(QObject):
         otherwise: Callable[[], object] | None,
         doomed: Callable[[], str] | None,
         bound: bool,
+        precious: bool,
     ) -> None:
         super().__init__()
+        self.precious = precious
         self.words, self.done, self.otherwise, self.doomed, self.bound = words, done, otherwise, doomed, bound
         self.share = 0.0
         self.cancelled = False
@@ -97,13 +99,14 @@ class Work(QObject):
         *,
         doomed: Callable[[], str] | None = None,
         bound: bool = False,
+        precious: bool = False,
     ) -> Callable[[], None]:
         """Call a function in a thread, and hand its result to `done` in this one: see `Worker.start`.
 
         That waits until no hand is on the drawing, and nothing half typed is in a field. A report raises once
         the work is called off. A `DrawingError` is told in the window; other errors go to `sys.excepthook`.
         """
-        job = Job(words, function, done, otherwise, doomed, bound)
+        job = Job(words, function, done, otherwise, doomed, bound, precious)
         job.ended.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
         self._jobs.append(job)
         self.changed.emit()
@@ -134,11 +137,14 @@ class Work(QObject):
         self.changed.emit()
 
     def settle(self) -> None:
-        """Wait a moment for what the drawing at hand is to get: it belongs to it when it is asked about."""
+        """Wait for what the drawing at hand is to get, a moment or, if it is precious, until it is there.
+
+        It belongs to the drawing when that is asked about.
+        """
         end = time.monotonic() + MOMENT
         for job in self.jobs:
             if job.bound:
-                job.task.join(max(end - time.monotonic(), 0.0))
+                job.task.join(None if job.precious else max(end - time.monotonic(), 0.0))
                 if not job.task.is_alive():
                     self._deliver(job)
 

@@ -110,7 +110,7 @@ class FreehandTool:
         waiting = _Waiting(stroke)
         self._waiting.append(waiting)
         start = self._bench.document.worker.start
-        waiting.call_off = start("Fitting the stroke", fitted, arrive, give_up, bound=True)
+        waiting.call_off = start("Fitting the stroke", fitted, arrive, give_up, bound=True, precious=True)
 
     def _draw(self, result: Fitted | None, scale: float, *, current: bool = True) -> None:
         """Add the curve, if there is one, and tell how near it is."""

@@ -22,6 +22,7 @@ class Worker(Protocol):
         *,
         doomed: Callable[[], str] | None = None,
         bound: bool = False,
+        precious: bool = False,
     ) -> Callable[[], None]:
         """Call a function, and hand its result to `done`; returns what calls it off.
 
@@ -38,6 +39,8 @@ class Worker(Protocol):
             more; the sentence is told, and the work called off.
         bound
             Whether the work is for the drawing at hand, and is called off when another one takes its place.
+        precious
+            Whether it works on what the hand made and nothing else holds: leaving the drawing waits for it.
         """
 
 
@@ -53,6 +56,7 @@ class AtOnce:
         *,
         doomed: Callable[[], str] | None = None,
         bound: bool = False,
+        precious: bool = False,
     ) -> Callable[[], None]:
         """See `Worker.start`."""
         done(function(_unheard))
