@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +13,7 @@ from theditor.drawing import Drawing
 from theditor.model import Document, Selection
 from theditor.model.long_edits import edit_curves
 from theditor.model.words import counted, indexed, listed, points_counted, shape_changed, symbols
-from theditor.model.worker import Report
+from theditor.model.worker import Report, part_of
 from theditor.spline import Curve, corners, fewest_points
 from theditor.spline import points as edits
 from theditor.spline.points import Edited
@@ -65,7 +64,7 @@ def _insert(document: Document, selection: Selection, places: Mapping[int, list[
         done = 0
         edited = {}
         for i, at in places.items():
-            edited[i] = _inserted(drawing[i].curve, at, partial(_report, report, done, count))
+            edited[i] = _inserted(drawing[i].curve, at, part_of(report, done, count))
             done += len(at)
         return edited
 
@@ -86,7 +85,7 @@ def _insert(document: Document, selection: Selection, places: Mapping[int, list[
     edit_curves(document, places, words, edit, finish, tell, long=count > AT_ONCE)
 
 
-def _inserted(curve: Curve, places: list[float], report: Callable[[int], None]) -> _Inserted:
+def _inserted(curve: Curve, places: list[float], report: Report) -> _Inserted:
     """Insert from the last place to the first, so that those to come stay where they are; many all together."""
     change = 0.0
     places = sorted(places, reverse=True)
@@ -99,10 +98,6 @@ def _inserted(curve: Curve, places: list[float], report: Callable[[int], None]) 
         curve, deviation = edits.insert(curve, u)
         change += deviation
     return _Inserted(curve, new.tolist(), change)
-
-
-def _report(report: Report, before: int, count: int, done: int) -> None:
-    report((before + done) / count)
 
 
 def insert_on_edge(document: Document, selection: Selection, edge: int, fraction: float) -> str:
@@ -127,7 +122,7 @@ def remove(document: Document, selection: Selection, tell: Tell, *, refit: bool)
         done = 0
         edited = {}
         for i, of in fewer.items():
-            edited[i] = edits.remove(drawing[i].curve, of, refit, partial(_report, report, done, count))
+            edited[i] = edits.remove(drawing[i].curve, of, refit, part_of(report, done, count))
             done += runs[i]
         return edited
 

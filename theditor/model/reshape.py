@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 
 from theditor.model.document import Document
 from theditor.model.long_edits import edit_curves, named
 from theditor.model.selection import Selection
 from theditor.model.words import shape_changed
-from theditor.model.worker import Report
+from theditor.model.worker import Report, part_of
 from theditor.spline import Curve, Ends, with_degree, with_ends
 from theditor.spline.points import Edited
 
@@ -88,7 +87,7 @@ def _reshape(
         edited = {}
         for number, i in enumerate(chosen):
             report(number / len(chosen))
-            edited[i] = edit(drawing[i].curve, partial(_report, report, number, len(chosen)))
+            edited[i] = edit(drawing[i].curve, part_of(report, number, len(chosen)))
         return edited
 
     def finish(edited: dict[int, Edited]) -> str:
@@ -102,7 +101,3 @@ def _reshape(
 
     long = len(chosen) > FEW or sum(len(drawing[i].curve.lambdas) for i in chosen) > AT_ONCE
     edit_curves(document, chosen, doing.format(named(drawing, chosen)), edit_all, finish, tell, long=long)
-
-
-def _report(report: Report, before: int, count: int, share: float) -> None:
-    report((before + share) / count)

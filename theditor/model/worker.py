@@ -52,15 +52,17 @@ class AtOnce:
         words: str,
         function: Callable[[Report], Result],
         done: Callable[[Result], object],
-        otherwise: Callable[[], object] | None = None,
-        *,
-        doomed: Callable[[], str] | None = None,
-        bound: bool = False,
-        precious: bool = False,
+        *_: object,
+        **__: object,
     ) -> Callable[[], None]:
         """See `Worker.start`."""
         done(function(_unheard))
         return _over
+
+
+def part_of(report: Report, before: int, count: int) -> Report:
+    """Return what reports the work on one of `count` parts, `before` of which are done."""
+    return lambda share: report((before + share) / count)
 
 
 def _over() -> None:

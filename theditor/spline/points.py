@@ -16,14 +16,11 @@ from theditor.spline.curve import Curve
 from theditor.spline.deviation import deviation
 from theditor.spline.distinct import distinct
 from theditor.spline.refit import Indices, refitted
-from theditor.spline.respread import respread
+from theditor.spline.respread import AROUND, PER_SEGMENT, WORTH, respread
 from theditor.spline.shape import locate
 
 _MANY: Final = 20  # more places than this are refitted together, not one after the other
 _CROWD: Final = 2  # more points than this on one edge are inserted one after the other
-_AROUND: Final = 3  # control points refitted on either side
-_PER_SEGMENT: Final = 16  # samples of the old shape
-_WORTH: Final = 0.5  # a λ of its own must bring the change of shape down to this part of it
 
 
 class Edited(NamedTuple):
@@ -138,7 +135,8 @@ def remove(
 ) -> Edited:
     """Return the curve with some control points fewer.
 
-    Points at the ends of an open curve take the end with them; the others are taken out run by run.
+    Points at the ends of an open curve take the end with them; the others are taken out run by run, those of
+    more than 20 runs together.
 
     Parameters
     ----------
@@ -180,7 +178,7 @@ def remove(
 
 def _matched(curve: Curve, where: Indices, stay: Indices) -> tuple[Floats, Floats]:
     """Return parameters before and after points went, around where they were; see `deviation`."""
-    reach = _AROUND + curve.degree
+    reach = AROUND + curve.degree
     low, high = int(where[0]) - reach - curve.first_segment, int(where[-1]) + reach - curve.first_segment
     count, fewer = curve.segment_count, len(where)
     if low < 0 or high > count:
@@ -249,7 +247,7 @@ def _rebuilt(curve: Curve, at: int, change: int) -> Edited:
     else:
         low, high = int(free[0]) - first - curve.degree + 1, int(free[-1]) - first + 2
     interval, new_interval = _within(curve, low, high - change), _within(start, low, high)
-    u = np.linspace(*interval, _PER_SEGMENT * (interval[1] - interval[0]) + 1)
+    u = np.linspace(*interval, PER_SEGMENT * (interval[1] - interval[0]) + 1)
     v = np.interp(u, interval, new_interval)
     held = np.zeros(len(u), dtype=np.bool_)
     if not curve.closed:
@@ -260,7 +258,7 @@ def _rebuilt(curve: Curve, at: int, change: int) -> Edited:
     if change > 0 and start.active_lambdas[at]:
         fitted, _ = refitted(fitted, targets, v, free, np.array([at]), held)
         apart = deviation(curve, fitted, interval, new_interval)
-        if apart <= _WORTH * best.deviation:
+        if apart <= WORTH * best.deviation:
             best = Edited(fitted, apart)
     return best
 
@@ -272,7 +270,7 @@ def _renumbered(curve: Curve, at: int, change: int) -> tuple[Curve, Indices]:
     """
     points, lambdas = curve.control_points, curve.lambdas
     count = len(points) + change
-    low, high = at - _AROUND, at + _AROUND - (change < 0)
+    low, high = at - AROUND, at + AROUND - (change < 0)
     if curve.closed and high - low + 1 >= count:
         low, high = 0, count - 1
         before, after = 0, count

@@ -10,10 +10,13 @@ from theditor.spline.curve import Curve
 from theditor.spline.deviation import deviation
 from theditor.spline.refit import refitted
 
-_AROUND: Final = 3  # control points refitted on either side
-_PER_SEGMENT: Final = 16  # samples of the old shape
+AROUND: Final = 3
+"""Control points that are refitted on either side of a place."""
+PER_SEGMENT: Final = 16
+"""Samples of the old shape."""
+WORTH: Final = 0.5
+"""λ of their own must bring the change of shape down to this part of it."""
 _STILL: Final = 1e-9
-_WORTH: Final = 0.5  # λ of their own must bring the change of shape down to this part of it
 
 
 def respread(curve: Curve, places: Floats, lambdas: Floats, fresh: NDArray[np.bool_]) -> tuple[Curve, float]:
@@ -33,13 +36,13 @@ def respread(curve: Curve, places: Floats, lambdas: Floats, fresh: NDArray[np.bo
     even = _evened(places, count, curve.closed)
     # Where the step from one to the next is no longer 1, those around move.
     steps = np.diff(places, append=places[0] + count if curve.closed else places[-1] + 1)
-    gaps = np.flatnonzero(np.abs(steps - 1) > _STILL)[:, None] + np.arange(1 - _AROUND, _AROUND + 1)
+    gaps = np.flatnonzero(np.abs(steps - 1) > _STILL)[:, None] + np.arange(1 - AROUND, AROUND + 1)
     moves = np.zeros(n, dtype=np.bool_)
     moves[gaps % n if curve.closed else gaps.clip(0, n - 1)] = True
     if not curve.closed and curve.ends == "clamped":
         moves[[0, -1]] = False
     free = np.flatnonzero(moves)
-    around = np.arange(-_AROUND - 1, count + _AROUND + 2)
+    around = np.arange(-AROUND - 1, count + AROUND + 2)
     polygon = curve.control_points[around % count]
     points = np.stack([np.interp(np.where(moves, even, places), around, x) for x in polygon.T], axis=1)
     start = curve.with_(control_points=points, lambdas=lambdas)
@@ -61,7 +64,7 @@ def respread(curve: Curve, places: Floats, lambdas: Floats, fresh: NDArray[np.bo
     for step in range(1 - curve.degree, 2):
         segments = free - first + step
         shaped[segments % new if curve.closed else segments[(segments >= 0) & (segments < new)]] = True
-    u = np.arange(_PER_SEGMENT * old + 1) / _PER_SEGMENT
+    u = np.arange(PER_SEGMENT * old + 1) / PER_SEGMENT
     v = np.interp(u, met, meets)
     near = shaped[np.minimum(np.floor(v % new if curve.closed else v).astype(np.intp), new - 1)]
     u, v = u[near], v[near]
@@ -73,7 +76,7 @@ def respread(curve: Curve, places: Floats, lambdas: Floats, fresh: NDArray[np.bo
     if len(bent):
         fitted, _ = refitted(fitted, targets, v, free, bent, held)
         apart = deviation(curve, fitted, met, meets)
-        if apart <= _WORTH * best[1]:
+        if apart <= WORTH * best[1]:
             best = fitted, apart
     return best
 
@@ -81,11 +84,11 @@ def respread(curve: Curve, places: Floats, lambdas: Floats, fresh: NDArray[np.bo
 def _evened(places: Floats, count: int, closed: bool) -> Floats:
     """Return places with the steps between them evened out: each the mean of those around it."""
     if closed:
-        before, after = places[-_AROUND:] - count, places[:_AROUND] + count
+        before, after = places[-AROUND:] - count, places[:AROUND] + count
     else:
-        before = 2 * places[0] - places[_AROUND:0:-1]
-        after = 2 * places[-1] - places[-2 : -2 - _AROUND : -1]
-    width = 2 * _AROUND + 1
+        before = 2 * places[0] - places[AROUND:0:-1]
+        after = 2 * places[-1] - places[-2 : -2 - AROUND : -1]
+    width = 2 * AROUND + 1
     even: Floats = np.convolve(
         np.concatenate((before, places, after)), np.full(width, 1 / width), mode="valid"
     )
