@@ -6,15 +6,13 @@ Resources lie inside the package when it is installed, and beside it in the repo
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 _PACKAGE = Path(__file__).resolve().parent
 
 
-@dataclass(frozen=True, slots=True)
-class Setup:
+class Setup(NamedTuple):
     """What a picture brings with it, so that one can try at once what it says.
 
     Attributes
@@ -34,8 +32,7 @@ class Setup:
     show: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Picture:
+class Picture(NamedTuple):
     """One drawing of the gallery: a short name, a title, what it shows and what to try, its file, its setup."""
 
     name: str
@@ -54,8 +51,8 @@ def resource(name: str) -> Path:
         If it is neither in the installed package nor in a repository around it.
     """
     for folder in (_PACKAGE / "_resources", _PACKAGE.parent / "resources"):
-        if (folder / name).exists():
-            return folder / name
+        if (path := folder / name).exists():
+            return path
     raise FileNotFoundError(f"theditor's resource {name!r} is missing: install theditor again.")
 
 

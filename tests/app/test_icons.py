@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QIcon
-from PySide6.QtWidgets import QApplication, QToolBar
+from PySide6.QtWidgets import QApplication, QMenu, QToolBar
 
 from theditor.app.icons import SIZE, icon
 from theditor.app.theme import Theme, apply_theme
@@ -39,6 +39,12 @@ def buttons(window):
     return [action for action in toolbar(window).actions() if not action.isSeparator()]
 
 
+def look_into_menus(window):
+    """Show every menu for a moment: it is then that they draw their icons."""
+    for menu in window.menuBar().findChildren(QMenu):
+        menu.aboutToShow.emit()
+
+
 def test_each_button_has_a_picture_of_its_own(window):
     pictures = [coverage(picture(action.icon())) for action in buttons(window)]
     assert len(pictures) > 10
@@ -48,6 +54,7 @@ def test_each_button_has_a_picture_of_its_own(window):
 
 
 def test_icons_take_the_colours_of_the_theme_and_change_with_it(window):
+    look_into_menus(window)
     for theme, colours in ((Theme.LIGHT, LIGHT), (Theme.DARK, DARK)):
         apply_theme(theme)
         QApplication.processEvents()
@@ -100,7 +107,18 @@ def test_words_stand_beside_the_icons_where_there_is_room(window):
     assert shown()[0] == Qt.ToolButtonStyle.ToolButtonTextBesideIcon
 
 
+def test_menus_draw_their_icons_when_they_are_shown(window):
+    new, insert = (window.actions_by_name[name] for name in ("new", "insert_point"))
+    assert new.icon().isNull()
+    next(a for a in window.menuBar().actions() if a.text() == "&File").menu().aboutToShow.emit()
+    assert inks(picture(new.icon())) == {LIGHT.text}
+    assert insert.icon().isNull()
+    assert insert in window.context_menus.menu("segment").actions()
+    assert inks(picture(insert.icon())) == {LIGHT.text}
+
+
 def test_a_checked_command_keeps_its_check_mark_in_the_menus(window):
+    look_into_menus(window)
     shown = {
         name
         for name, a in window.actions_by_name.items()

@@ -111,6 +111,7 @@ def make_action(window: MainWindow, command: Command, text: str) -> QAction:
         action.triggered.connect(lambda _checked=False: command.run())
     else:
         action.setCheckable(True)
+        action.setIconVisibleInMenu(False)  # its place is the check mark's
         action.setChecked(command.checked)
         action.toggled.connect(command.run)
     if command.choice:

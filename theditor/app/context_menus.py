@@ -10,6 +10,7 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QMenu
 
 from theditor.app.command import Place
+from theditor.app.menus import draw_icons
 from theditor.canvas.hit_test import JointHit, MiddleHit, PointHit, SegmentHit
 from theditor.canvas.projection import projected
 
@@ -56,6 +57,7 @@ class ContextMenus(QObject):
                     menu.addSeparator()
                 above = command.menu
                 menu.addAction(self._window.actions_by_name[command.name])
+        draw_icons(self._window, menu.actions())
         return menu
 
     def _select(self, at: QPoint) -> Place:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from functools import partial
+from collections.abc import Container, Iterable
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QDockWidget, QMenu
 
-from theditor.app.command import Command, make_action
+from theditor.app.command import make_action
 from theditor.app.icons import icon
 from theditor.app.letters import lettered
 from theditor.app.toolbar import Toolbar
@@ -48,21 +46,27 @@ def build_menus(window: MainWindow) -> dict[str, QAction]:
 
 
 def tint_icons(window: MainWindow) -> None:
-    """Give the actions their icons, in the colours of the palette and sharp on every screen there is.
+    """Give the buttons their icons, in the colours of the palette, and tint those that menus have shown.
 
-    Those of the toolbar have theirs at once, the others as soon as events are dealt with.
+    The others are drawn when a menu first shows them: see `draw_icons`.
     """
+    actions = window.actions_by_name
+    shown = {c.name for c in window.commands if c.brief or not actions[c.name].icon().isNull()}
+    _draw(window, shown)
+
+
+def draw_icons(window: MainWindow, actions: Iterable[QAction]) -> None:
+    """Give the actions of a menu that is about to be shown the icons that they lack."""
+    _draw(window, {action.objectName() for action in actions if action.icon().isNull()})
+
+
+def _draw(window: MainWindow, names: Container[str]) -> None:
+    """Draw the icons of commands in the colours of the palette, sharp on every screen there is."""
+    palette = QApplication.palette()
     ratios = sorted({screen.devicePixelRatio() for screen in QApplication.screens()})
-
-    def tint(some: Iterable[Command]) -> None:
-        for command in some:
-            action = window.actions_by_name[command.name]
-            action.setIcon(icon(command.icon, QApplication.palette(), ratios))
-            action.setIconVisibleInMenu(not action.isCheckable())  # its place is the check mark's
-
-    tint(command for command in window.commands if command.icon and command.brief)
-    rest = [command for command in window.commands if command.icon and not command.brief]
-    QTimer.singleShot(0, window, partial(tint, rest))
+    for command in window.commands:
+        if command.icon and command.name in names:
+            window.actions_by_name[command.name].setIcon(icon(command.icon, palette, ratios))
 
 
 def _menu(window: MainWindow, menus: dict[str, QMenu], path: str) -> QMenu:
@@ -70,7 +74,8 @@ def _menu(window: MainWindow, menus: dict[str, QMenu], path: str) -> QMenu:
     if path not in menus:
         above, _, title = path.rpartition("/")
         parent = _menu(window, menus, above) if above else window.menuBar()
-        menus[path] = parent.addMenu("&" + title)
+        menu = menus[path] = parent.addMenu("&" + title)
+        menu.aboutToShow.connect(lambda: draw_icons(window, menu.actions()))
     return menus[path]
 
 
