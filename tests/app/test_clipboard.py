@@ -12,7 +12,7 @@ from PySide6.QtGui import QGuiApplication, QImage, QKeySequence, QPainter
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QApplication, QDockWidget
 
-from theditor.app.clipboard import LARGEST, OWN_TYPE, SVG_TYPE, pictures
+from theditor.app.clipboard_data import LARGEST, OWN_TYPE, SVG_TYPE, pictures
 from theditor.drawing import Drawing, Item, decode, encode
 from theditor.spline import Curve, bounds
 
@@ -63,7 +63,7 @@ def test_copy_and_paste_puts_the_middle_at_the_pointer(window, hand, qtbot):
 
 ENDS = """
 from PySide6.QtGui import QGuiApplication
-from theditor.app.clipboard import carried, pictures
+from theditor.app.clipboard_data import carried, pictures
 from theditor.drawing import Drawing, Item, encode
 from theditor.spline import Curve
 

@@ -8,7 +8,6 @@ from typing import Literal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from theditor.drawing import shown
-from theditor.exchange import FORMATS, readable
 from theditor.model.kept_work import DAYS
 
 FILE_FILTER = "theditor drawings (*.json);;All files (*)"
@@ -29,6 +28,8 @@ def which_to_import(parent: QWidget, folder: Path | None) -> list[Path]:
 
 
 def _foreign_filter() -> str:
+    from theditor.exchange import FORMATS, readable  # loaded when it is first asked for
+
     every = " ".join(f"*{suffix}" for suffix in readable())
     each = ";;".join(f"{FORMATS[suffix].name} (*{suffix})" for suffix in readable())
     return f"All that can be imported ({every});;{each};;All files (*)"
@@ -46,6 +47,8 @@ def where_to_save(parent: QWidget, suggestion: Path) -> Path | None:
 
 def where_to_export(parent: QWidget, suggestion: Path, suffix: str) -> Path | None:
     """Ask for a file of a foreign format to write to, completed by its suffix; what is replaced is asked about."""
+    from theditor.exchange import FORMATS
+
     form = f"{FORMATS[suffix].name} (*{suffix})"
     name, _ = QFileDialog.getSaveFileName(parent, "Export the drawing", str(suggestion), form)
     if not name:

@@ -10,10 +10,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QEvent, QMimeData, QObject, Qt, QTimer
 from PySide6.QtGui import QDropEvent
 
-from theditor.app.importing import import_files, is_foreign
 from theditor.app.windows import open_each
 from theditor.drawing import shown
-from theditor.exchange import readable
 from theditor.model.words import listed
 
 if TYPE_CHECKING:
@@ -47,6 +45,9 @@ class Dropping(QObject):
         return True
 
     def _take(self, paths: Sequence[Path]) -> None:
+        from theditor.app.importing import import_files, is_foreign
+        from theditor.exchange import readable
+
         window = self._window
         drawings = [path for path in paths if _is_drawing(path)]
         foreign = [path for path in paths if is_foreign(path)]
@@ -70,4 +71,6 @@ def _is_drawing(path: Path) -> bool:
 
 
 def _can_be_read(path: Path) -> bool:
+    from theditor.app.importing import is_foreign  # loaded when it is first asked for
+
     return _is_drawing(path) or is_foreign(path)

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QAbstractSpinBox, QLineEdit, QMenu, QMessageBox
 
 from theditor.app import ask
-from theditor.app.importing import is_foreign, open_foreign
 from theditor.app.problems import log
 from theditor.app.recent import recent_files, remember_file
 from theditor.app.tour import lead
@@ -45,6 +44,8 @@ class Files:
 
     def open_path(self, path: Path) -> bool:
         """Open a file; if it cannot be read, say why and keep the drawing. Another program's takes its time."""
+        from theditor.app.importing import is_foreign, open_foreign  # loaded when it is first asked for
+
         self._window.messages.hide()
         if is_foreign(path):
             open_foreign(self._window, path)

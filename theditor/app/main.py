@@ -12,6 +12,7 @@ from theditor.app.main_window import MainWindow
 from theditor.app.problems import catch_everything, start_log
 from theditor.app.theme import follow_system
 from theditor.app.windows import active_window, open_each, open_windows
+from theditor.model.kept_work import any_work
 
 FIRST_PICTURE = "figure-10"
 
@@ -40,7 +41,8 @@ def run(paths: list[Path]) -> int:
     if not paths:
         first.open_picture(FIRST_PICTURE)
     open_each(first, paths)
-    dialogs.recover(first, discarded=False)
+    if any_work():
+        dialogs.recover(first, discarded=False)
     code = app.exec()
     open_windows.clear()
     return code

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
@@ -14,11 +14,9 @@ from theditor.canvas.cursors import cursor_over
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.events import keys_of, pointer_of
 from theditor.canvas.fit import fitted
-from theditor.canvas.freehand import FreehandTool
 from theditor.canvas.hit_test import Hit, JointHit, MiddleHit, PointHit, SegmentHit, exists, parameter_of
 from theditor.canvas.layers import Layers
 from theditor.canvas.legend import Legend
-from theditor.canvas.pen import PenTool
 from theditor.canvas.picking import key_of
 from theditor.canvas.picture import Frame, Shown
 from theditor.canvas.select import SelectTool
@@ -58,13 +56,11 @@ class Canvas(PlaneView):
         self._keep_hull = False
         self._place: float | None = None
         self.snapper = Snapper(self._curves)
-        bench = Bench(document, selection, self, self._curves, self.snapper, self._bounds, self.announce.emit)
-        self._select = SelectTool(bench)
-        self._tools: dict[str, Tool] = {
-            "select": self._select,
-            "pen": PenTool(bench, lambda: self.use("select")),
-            "freehand": FreehandTool(bench, lambda: self.use("select")),
-        }
+        self._bench = Bench(
+            document, selection, self, self._curves, self.snapper, self._bounds, self.announce.emit
+        )
+        self._select = SelectTool(self._bench)
+        self._tools: dict[str, Tool] = {"select": self._select}
         self._tool: Tool = self._select
 
         self.box.sigTransformChanged.connect(self._view_changed)
@@ -87,6 +83,8 @@ class Canvas(PlaneView):
 
     def use(self, name: str) -> None:
         """Take up a tool: ``"select"``, ``"pen"`` or ``"freehand"``."""
+        if name not in self._tools:
+            self._tools[name] = drawing_tool(name, self._bench, lambda: self.use("select"))
         tool = self._tools[name]
         if tool is self._tool:
             return
@@ -387,3 +385,14 @@ class Canvas(PlaneView):
         """A Space held while the focus left counts as let go."""
         self._space = False
         super().focusOutEvent(event)
+
+
+def drawing_tool(name: str, bench: Bench, done: Callable[[], None]) -> Tool:
+    """Return a tool to draw with, ``"pen"`` or ``"freehand"``. Each is loaded when it is first taken up."""
+    if name == "pen":
+        from theditor.canvas.pen import PenTool
+
+        return PenTool(bench, done)
+    from theditor.canvas.freehand import FreehandTool
+
+    return FreehandTool(bench, done)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,16 +23,14 @@ MOST_PASSAGES = 8
 """Of more passages of a curve within reach only the nearest are told apart."""
 
 
-@dataclass(frozen=True)
-class PointHit:
+class PointHit(NamedTuple):
     """A control point of a selected curve."""
 
     curve: int
-    index: int
+    point: int
 
 
-@dataclass(frozen=True)
-class SegmentHit:
+class SegmentHit(NamedTuple):
     """A place on a curve of the drawing."""
 
     curve: int
@@ -41,22 +38,19 @@ class SegmentHit:
     t: float
 
 
-@dataclass(frozen=True)
-class JointHit:
+class JointHit(NamedTuple):
     """The joint of the current cubic that belongs to a control point."""
 
     point: int
 
 
-@dataclass(frozen=True)
-class MiddleHit:
+class MiddleHit(NamedTuple):
     """The middle of a segment of the current quadratic, whose joints λ does not move."""
 
     segment: int
 
 
-@dataclass(frozen=True)
-class BoxHit:
+class BoxHit(NamedTuple):
     """A handle of the box around the selected points: to scale or to turn, at a corner or side (−1, 0 or 1)."""
 
     kind: Literal["scale", "turn"]

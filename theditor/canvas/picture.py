@@ -204,7 +204,7 @@ def _paint_held(painter: QPainter, frame: Frame, seen: Seen) -> None:
     if frame.box is not None and frame.marquee is None:
         paint_box(painter, frame.box, plane, colours)
     if isinstance(frame.hit, PointHit):
-        handles.paint_hovered(painter, seen(frame.hit.curve), frame.hit.index, plane, colours)
+        handles.paint_hovered(painter, seen(frame.hit.curve), frame.hit.point, plane, colours)
     selected = [seen(i).control_points[points] for i in frame.held if len(points := frame.chosen[i])]
     if selected:
         handles.paint_selected(painter, np.concatenate(selected), plane, colours)

@@ -73,29 +73,29 @@ class MovePoints:
         self._document, self._selection, self._snapper = document, selection, snapper
         self._press, self._hit = press, hit
         self._restore = selection.remember()
-        self._was_selected = hit.index in selection.chosen.get(hit.curve, ())
+        self._was_selected = hit.point in selection.chosen.get(hit.curve, ())
         self._gesture: Gesture | None = None
         self._moving = STILL
         self.snapped: Snapped | None = None
         """What the pressed point is drawn to."""
         if press.shift:
-            selection.toggle(hit.curve, hit.index)
+            selection.toggle(hit.curve, hit.point)
         elif self._was_selected:
             selection.select_across(selection.chosen, hit.curve)
         else:
-            selection.select(curve=hit.curve, points={hit.index})
+            selection.select(curve=hit.curve, points={hit.point})
 
     def move(self, pointer: Pointer) -> None:
         """Preview the points at their start plus the whole offset."""
         hit = self._hit
         if self._gesture is None:
-            if hit.index not in self._selection.chosen[hit.curve]:
-                self._selection.toggle(hit.curve, hit.index)
+            if hit.point not in self._selection.chosen[hit.curve]:
+                self._selection.toggle(hit.curve, hit.point)
             chosen = self._selection.movable
             self._gesture = self._document.begin(f"Move {points_counted(chosen)}")
             self._held = Held(self._gesture.before, chosen)
             drawing = self._gesture.before
-            self._grabbed = projected(drawing[hit.curve].curve).control_points[hit.index]
+            self._grabbed = projected(drawing[hit.curve].curve).control_points[hit.point]
             self._moving = moving(drawing, chosen) if self._snapper.on else STILL
         offset = pointer.point - self._press.point
         self.snapped = None
@@ -113,7 +113,7 @@ class MovePoints:
         if self._gesture is not None:
             self._gesture.commit()
         elif self._was_selected and not self._press.shift:
-            self._selection.select(curve=self._hit.curve, points={self._hit.index})
+            self._selection.select(curve=self._hit.curve, points={self._hit.point})
 
     def cancel(self) -> None:
         """Put the points back; the selection is as before the press."""

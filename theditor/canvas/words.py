@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,8 +18,7 @@ from theditor.model.words import indexed, listed, number, points_counted, segmen
 from theditor.spline import Curve, curvature, reversed_joints
 
 
-@dataclass(frozen=True)
-class Pointed:
+class Pointed(NamedTuple):
     """What the pointer is over, for the status line; `position` is None when it is outside."""
 
     position: tuple[float, float] | None
@@ -35,8 +34,8 @@ def describe(hit: Hit, drawing: Drawing, current: int) -> str:
     if isinstance(hit, PointHit):
         item = drawing[hit.curve]
         of = "" if hit.curve == current else f" of {item.name}"
-        height = "".join(f" at z = {z:.4g}" for z in item.curve.control_points[hit.index, 2:])
-        return f"over control point {indexed('P', hit.index)}{of}{height}"
+        height = "".join(f" at z = {z:.4g}" for z in item.curve.control_points[hit.point, 2:])
+        return f"over control point {indexed('P', hit.point)}{of}{height}"
     if isinstance(hit, JointHit):
         curve = drawing[current].curve
         bend = _bend(curve, parameter_of(hit, current, curve) or 0.0)

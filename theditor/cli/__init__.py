@@ -6,7 +6,6 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
-from difflib import get_close_matches
 from importlib import import_module
 from typing import Final, NamedTuple
 
@@ -125,6 +124,8 @@ def _mistyped(words: Sequence[str]) -> str:
     """Return what to say of a first word that looks like a command; nothing if it is a file or looks like one."""
     if not words or "." in words[0] or os.path.exists(words[0]):
         return ""
+    from difflib import get_close_matches  # loaded when it is first asked for
+
     near = get_close_matches(words[0], COMMANDS, 1)
     return f"there is no command and no file {words[0]!a}: did you mean {near[0]}?" if near else ""
 

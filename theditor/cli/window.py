@@ -29,7 +29,7 @@ def open_window(files: Sequence[str]) -> int:
         )
     gc.disable()  # nothing that loading makes is garbage: looking for it takes a tenth of the time, now and later
     try:
-        import_module("theditor.exchange")  # before Qt, which reads the source of what is loaded after it
+        import_module("theditor.drawing")  # before Qt, which reads the source of what is loaded after it
         from theditor.app.main import run
     except ImportError as error:
         return fail(missing_library(error))

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, fields
-from difflib import SequenceMatcher
 from typing import Any
+
+from msgspec import Struct
 
 from theditor.drawing.drawing import Drawing, Item
 from theditor.spline import Curve
@@ -17,16 +17,14 @@ _BEFORE, _AFTER = 0, 1
 _NOTHING: tuple[dict[str, Any], dict[str, Any]] = ({}, {})
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Rows:
+class _Rows(Struct, frozen=True, eq=False):
     """The rows of an array that differ."""
 
     indices: Any  # (k,) integers
     values: tuple[Floats, Floats]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Edit:
+class _Edit(Struct, frozen=True, eq=False):
     """One item that keeps most of its curve's rows."""
 
     start: tuple[int, int]
@@ -48,8 +46,7 @@ class _Edit:
         return position + 1, [item.with_(curve=curve, **self.style[side])]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Splice:
+class _Splice(Struct, frozen=True, eq=False):
     """A run of items replaced by another run; either may be empty."""
 
     start: tuple[int, int]
@@ -59,8 +56,7 @@ class _Splice:
         return self.start[1 - side] + len(self.items[1 - side]), self.items[side]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Change:
+class Change(Struct, frozen=True, eq=False):
     """The difference of two drawings, which turns either into the other; made by `difference`.
 
     It keeps no reference to what both have in common, so a long history of small edits stays small.
@@ -99,6 +95,8 @@ def difference(before: Drawing, after: Drawing) -> Change:
 def _steps(before: Drawing, after: Drawing) -> Iterator[_Edit | _Splice]:
     start, end = common_ends(before, after)
     old, new = before[start : len(before) - end], after[start : len(after) - end]
+    from difflib import SequenceMatcher  # loaded when it is first asked for
+
     matcher = SequenceMatcher(None, [id(item) for item in old], [id(item) for item in new], autojunk=False)
     for tag, *places in matcher.get_opcodes():
         if tag == "equal":
@@ -141,7 +139,7 @@ def _ends(curve: Curve) -> dict[str, Any]:
 
 
 def _style(item: Item) -> dict[str, Any]:
-    return {field.name: getattr(item, field.name) for field in fields(item) if field.name != "curve"}
+    return {name: getattr(item, name) for name in item.__struct_fields__ if name != "curve"}
 
 
 def _differing(before: dict[str, Any], after: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:

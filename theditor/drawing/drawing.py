@@ -6,8 +6,10 @@ import math
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
 from typing import Any, Self
+
+from msgspec import Struct
+from msgspec.structs import force_setattr, replace
 
 from theditor.spline import Curve
 
@@ -26,8 +28,7 @@ class DrawingError(ValueError):
     """A drawing, or the file that should hold one, is not as it must be; the message is one sentence."""
 
 
-@dataclass(frozen=True, slots=True)
-class Item:
+class Item(Struct, frozen=True):
     """One curve of a drawing with its name and style; immutable, compared and hashed by value.
 
     Parameters
@@ -70,7 +71,7 @@ class Item:
             raise DrawingError(
                 f"A curve's width must be between {lowest:g} and {highest:g}, not {self.width!r}."
             )
-        object.__setattr__(self, "width", float(self.width))
+        force_setattr(self, "width", float(self.width))
 
     def with_(self, **changes: Any) -> Self:
         """Return a copy with some fields changed, checked like a new item."""

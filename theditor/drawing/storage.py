@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import errno
-import hashlib
 import os
 import shutil
 import stat
 import time
 from contextlib import suppress
+from io import BufferedReader, BytesIO
 from pathlib import Path
 from typing import BinaryIO
 
@@ -98,7 +98,7 @@ def save(drawing: Drawing, path: str | os.PathLike[str], overwrite: bool = False
             f"can read; choose another name. ({reason})"
         )
     write_atomically(path, data)
-    return hashlib.sha256(data).hexdigest()
+    return _sha256(BytesIO(data))
 
 
 def fingerprint(path: str | os.PathLike[str]) -> str | None:
@@ -109,9 +109,15 @@ def fingerprint(path: str | os.PathLike[str]) -> str | None:
     try:
         _refuse_unless_regular(os.stat(path))
         with open(path, "rb", opener=_open_without_waiting) as file:
-            return hashlib.file_digest(file, "sha256").hexdigest()
+            return _sha256(file)
     except (OSError, ValueError):  # ValueError: no path can be spelt so
         return None
+
+
+def _sha256(file: BufferedReader | BytesIO) -> str:
+    from hashlib import file_digest  # brings OpenSSL with it: loaded when it is first asked for
+
+    return file_digest(file, "sha256").hexdigest()
 
 
 def unreadable(path: str | os.PathLike[str]) -> str | None:

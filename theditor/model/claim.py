@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 from pathlib import Path
 
@@ -60,5 +59,7 @@ def owner_of_file(path: Path) -> Owner | None:
 
 def _lock_path(path: Path) -> Path:
     """One lock for all names of a file that lead through links."""
+    from hashlib import sha256  # brings OpenSSL with it: loaded when it is first asked for
+
     name = os.fsencode(os.path.normcase(os.path.realpath(path)))
-    return data_folder() / "claims" / f"{hashlib.sha256(name).hexdigest()}.lock"
+    return data_folder() / "claims" / f"{sha256(name).hexdigest()}.lock"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import secrets
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from datetime import datetime, timedelta
@@ -130,7 +129,7 @@ def new_work() -> KeptWork:
     """A place for work that is to be kept, taken; raises OSError if there can be none."""
     folder = _folder()
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)  # as private as the drawing may be
-    work = KeptWork(folder / f"{datetime.now():%Y-%m-%d-%H%M%S}-{secrets.token_hex(4)}")
+    work = KeptWork(folder / f"{datetime.now():%Y-%m-%d-%H%M%S}-{os.urandom(4).hex()}")
     if not work.take():
         raise OSError(f"{folder} cannot be written")
     return work
@@ -153,6 +152,11 @@ def kept_work() -> list[KeptWork]:
         else:
             found.append(work)
     return sorted(found, key=lambda work: work.time, reverse=True)
+
+
+def any_work() -> bool:
+    """Whether there is work that may be `kept_work`; takes none."""
+    return any(True for _ in _all())
 
 
 def _all() -> Iterator[KeptWork]:

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import logging
 import os
-from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
 from datetime import datetime
+from functools import cache
 from threading import Event
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QSysInfo, QTimer, Signal
 
 from theditor.drawing import Drawing
 from theditor.model.document import Document
 from theditor.model.kept_work import About, KeptWork, new_work
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future, ThreadPoolExecutor
 
 DELAY = 2000
 """Milliseconds from the first change to the disk."""
@@ -22,8 +26,14 @@ REST = 0.004
 
 _hurry = Event()
 """Somebody waits: no rest now."""
-_writer = ThreadPoolExecutor(max_workers=1, thread_name_prefix="recovery")
-"""Writes for all windows, one after the other, so that nothing overtakes."""
+
+
+@cache
+def _writer() -> ThreadPoolExecutor:
+    """Writes for all windows, one after the other, so that nothing overtakes."""
+    from concurrent.futures import ThreadPoolExecutor  # loaded when it is first asked for
+
+    return ThreadPoolExecutor(max_workers=1, thread_name_prefix="recovery")
 
 
 class Recovery(QObject):
@@ -67,7 +77,7 @@ class Recovery(QObject):
         """Wait until all that is to be written is on the disk."""
         _hurry.set()
         try:
-            _writer.submit(lambda: None).result()
+            _writer().submit(lambda: None).result()
         finally:
             _hurry.clear()
 
@@ -88,7 +98,7 @@ class Recovery(QObject):
     def adopt(self, work: KeptWork) -> None:
         """Go on with recovered work, which the document shows: later changes are kept in its place."""
         self._keeps = True
-        _writer.submit(self._take_over, work)
+        _writer().submit(self._take_over, work)
         self.keep()
 
     def _note(self, *_: object) -> None:
@@ -104,18 +114,18 @@ class Recovery(QObject):
 
     def _submit(self, drawing: Drawing, about: About) -> None:
         self._keeps = True
-        _writer.submit(self._write, drawing, about).add_done_callback(self._done)
+        _writer().submit(self._write, drawing, about).add_done_callback(self._done)
 
     def _forget(self) -> None:
         self._timer.stop()
         if self._keeps:
             self._keeps, self._last = False, None
-            _writer.submit(self._remove)
+            _writer().submit(self._remove)
 
     def _release(self) -> None:
         self._timer.stop()
         self._keeps, self._last = False, None
-        _writer.submit(self._let_go)
+        _writer().submit(self._let_go)
 
     def _tell(self, problem: str) -> None:
         if not problem:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, QPen
@@ -21,11 +21,10 @@ _GAP = 8
 _CENTRED = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
 
 
-@dataclass(frozen=True)
-class Column:
+class Column(NamedTuple):
     """What one column shows."""
 
-    index: int
+    point: int
     value: float
     degree: int
     active: bool
@@ -88,7 +87,7 @@ def paint_column(
     line = QFontMetricsF(small).height()
     painter.setFont(small)
     painter.setPen(QColor(colours.text))
-    painter.drawText(QRectF(0, bottom + _GAP, width, line), _CENTRED, indexed("λ", column.index))
+    painter.drawText(QRectF(0, bottom + _GAP, width, line), _CENTRED, indexed("λ", column.point))
     painter.setPen(QColor(colours.text if column.selected else colours.secondary))
     painter.drawText(QRectF(0, bottom + _GAP + line, width, line), _CENTRED, value_text(column.value))
 

@@ -340,7 +340,7 @@ class LambdaStrip(QAbstractScrollArea):
             last = min(self._count() - 1, self._column_at(event.rect().right()))
             for i in range(first, last + 1):
                 column = Column(
-                    index=i,
+                    point=i,
                     value=float(curve.lambdas[i]),
                     degree=curve.degree,
                     active=bool(curve.active_lambdas[i]) and not self._item.locked,

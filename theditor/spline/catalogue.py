@@ -1,9 +1,8 @@
 """What there is to insert: each known curve with its parameters as a person meets them."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from math import inf
-from typing import Final, Literal
+from typing import Final, Literal, NamedTuple
 
 from theditor.spline import known
 from theditor.spline.chains import MAX_SEGMENTS
@@ -13,8 +12,7 @@ SMALLEST: Final = 1e-12
 """The least size worth offering: less is hardly seen beside any coordinate."""
 
 
-@dataclass(frozen=True)
-class Parameter:
+class Parameter(NamedTuple):
     """One parameter of a function that makes a known curve."""
 
     keyword: str
@@ -31,8 +29,7 @@ class Parameter:
     """What it is counted in; show radians as degrees. Lengths have no unit."""
 
 
-@dataclass(frozen=True)
-class Known:
+class Known(NamedTuple):
     """A curve that can be made by its parameters."""
 
     name: str

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, Final, Literal
+from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -29,8 +29,7 @@ _ARRAYS: Final = (
 _MEASURED: Final = ("position", "first derivative", "second derivative")
 
 
-@dataclass(frozen=True)
-class JointReport:
+class JointReport(NamedTuple):
     """What was measured where two segments meet."""
 
     joint: int  # its u, and its index among the curve's joints

@@ -6,11 +6,10 @@ a hyperbola arc, which as a point set is the rational quadratic Bézier on joint
 middle weight cosh ½ (an ellipse's: √½). All else is approximated within a tolerance.
 """
 
-from dataclasses import dataclass, replace
 from enum import IntEnum
 from itertools import pairwise
 from math import cosh, sqrt
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -42,8 +41,7 @@ class Piece(IntEnum):
     CUBIC = 3
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Outline:
+class Outline(NamedTuple):
     """A curve as a chain of pieces; piece k runs from ``ends[k]`` to ``ends[k + 1]``.
 
     An arc is the quarter of an ellipse on the conjugate radii from its centre ``inner[k, 0]`` to its two ends.
@@ -63,7 +61,7 @@ class Outline:
     def scaled(self, scale: ArrayLike, offset: ArrayLike = 0.0) -> "Outline":
         """Return the outline with every point times `scale` plus `offset`, numbers or one for each coordinate."""
         factor, shift = np.asarray(scale, dtype=np.float64), np.asarray(offset, dtype=np.float64)
-        return replace(self, ends=self.ends * factor + shift, inner=self.inner * factor + shift)
+        return self._replace(ends=self.ends * factor + shift, inner=self.inner * factor + shift)
 
     def runs(self, breaks: NDArray[np.bool_]) -> list["Outline"]:
         """Return the outline in open parts, the first from its start, the others from where a break is.
@@ -215,8 +213,7 @@ def _merged(pieces: Outline) -> Outline:
 
 def _chosen(pieces: Outline, kept: NDArray[np.bool_]) -> Outline:
     """Return the outline of only some pieces, each reaching on to where the next one starts."""
-    return replace(
-        pieces,
+    return pieces._replace(
         kinds=pieces.kinds[kept],
         ends=pieces.ends[np.append(kept, True)],
         inner=pieces.inner[kept],

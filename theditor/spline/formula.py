@@ -4,9 +4,8 @@ import ast
 import sys
 import warnings
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import reduce
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -118,8 +117,7 @@ def evaluate(
     return results
 
 
-@dataclass(frozen=True)
-class _Formula:
+class _Formula(NamedTuple):
     """The text of a formula, to quote from, and the names it may use."""
 
     source: str

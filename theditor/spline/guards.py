@@ -1,6 +1,5 @@
 """Where theorems stop holding: negative basis functions, reversed joints, and the hull that should bound."""
 
-from dataclasses import dataclass
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -18,8 +17,7 @@ _STEPS: Final = 16  # of Newton's method with bisection between nodes
 _BLOCK: Final = 4096  # pairs of λ at a time, to bound the memory
 
 
-@dataclass(frozen=True)
-class Guards:
+class Guards(NamedTuple):
     """The negative basis functions of a curve, by segment and then by function."""
 
     degree: int

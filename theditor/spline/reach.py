@@ -1,6 +1,5 @@
 """Where λ can take a curve: the straight tracks of its points, and the band that two segments sweep."""
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -73,8 +72,7 @@ def middle_track(curve: Curve, segment: int) -> Track:
     return _track(curve, segment, 0.5, float(np.mean(lambdas)) if lambdas else 0.0)
 
 
-@dataclass(frozen=True)
-class Reach:
+class Reach(NamedTuple):
     """All that the segments shaped by one λ cover as it runs over a range; the other λ stay.
 
     Each array of points, (k, intervals + 1, d), has the segments at equal steps of t. A point slides straight

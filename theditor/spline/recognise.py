@@ -2,9 +2,8 @@
 
 from cmath import rect
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from math import hypot, sqrt
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -30,8 +29,7 @@ _NAMES: Final[dict[Mode, Callable[[complex, complex, complex, complex, float], N
 }
 
 
-@dataclass(frozen=True)
-class Recognised:
+class Recognised(NamedTuple):
     """A segment known for what it is."""
 
     kind: Kind
@@ -66,8 +64,7 @@ class Recognised:
         return wording.equation(self.mode, self.coefficients, self.tolerance)
 
 
-@dataclass(frozen=True)
-class Missing:
+class Missing(NamedTuple):
     """What would make a segment a known curve."""
 
     changes: tuple[tuple[int, float], ...]

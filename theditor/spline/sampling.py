@@ -7,9 +7,8 @@ the matrix of the generators at the wanted t give all the block's points in one 
 straight into place. Where a curve keeps its features, writing the result is then the limit.
 """
 
-from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,8 +24,7 @@ if TYPE_CHECKING:
 _BLOCK = 8192
 
 
-@dataclass(frozen=True)
-class Samples:
+class Samples(NamedTuple):
     """Points along some segments: those of the j-th one are ``points[starts[j] : starts[j + 1]]``."""
 
     segments: NDArray[np.intp]  # (k,) which segments of the curve, ascending unless asked for otherwise
@@ -271,7 +269,7 @@ def sample_adaptively(
         shown = np.flatnonzero(np.logical_and.reduce(seen, axis=0))
     seen_parts = parts if len(shown) == len(chosen) else parts.take(shown)
     samples = sample_parts(seen_parts, curve.degree, intervals_within(turning[shown], tolerance, 512))
-    return replace(samples, segments=chosen[shown])
+    return samples._replace(segments=chosen[shown])
 
 
 def sample_parts(parts: joints.Segments, degree: int, intervals: NDArray[np.intp]) -> Samples:
