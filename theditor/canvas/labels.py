@@ -47,9 +47,9 @@ def place(handles: Floats, sizes: Floats, obstacles: Floats, clearance: float = 
         reach = clearance + np.abs(DIRECTIONS[order]) @ half
         centres = handle + DIRECTIONS[order] * reach[:, None]
         others = np.vstack([np.delete(around, i, axis=0), taken])
-        free = [c for c in centres if not _meets(c - half, c + half, others)]
-        clear = [c for c in free if not _contains(c - half - 2, c + half + 2, obstacles)]
-        chosen = next(iter(clear or free), None)
+        free = centres[~_meet(centres - half, centres + half, others)]
+        clear = free[~_contain(free - half - 2, free + half + 2, obstacles)]
+        chosen = next(iter(clear if len(clear) else free), None)
         result.append(chosen)
         if chosen is not None:
             taken = np.vstack([taken, np.hstack([chosen - half, chosen + half])])
@@ -71,12 +71,18 @@ def _unit(vectors: Floats) -> Floats:
     return unit
 
 
-def _meets(low: Floats, high: Floats, boxes: Floats) -> bool:
-    return bool(((boxes[:, :2] < high) & (boxes[:, 2:] > low)).all(axis=1).any())
+def _meet(low: Floats, high: Floats, boxes: Floats) -> NDArray[np.bool_]:
+    """Which of some boxes meet one of others."""
+    both = (boxes[:, :2] < high[:, None]) & (boxes[:, 2:] > low[:, None])
+    found: NDArray[np.bool_] = np.any(np.all(both, axis=2), axis=1)
+    return found
 
 
-def _contains(low: Floats, high: Floats, points: Floats) -> bool:
-    return bool(((points > low) & (points < high)).all(axis=1).any())
+def _contain(low: Floats, high: Floats, points: Floats) -> NDArray[np.bool_]:
+    """Which of some boxes contain a point."""
+    both = (points > low[:, None]) & (points < high[:, None])
+    found: NDArray[np.bool_] = np.any(np.all(both, axis=2), axis=1)
+    return found
 
 
 def paint_labels(

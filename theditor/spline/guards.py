@@ -1,5 +1,6 @@
 """Where theorems stop holding: negative basis functions, reversed joints, and the hull that should bound."""
 
+from functools import lru_cache
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -69,7 +70,7 @@ def negative_basis(curve: Curve, segments: NDArray[np.intp] | None = None) -> Gu
     t, values = np.empty((2, len(pairs), curve.degree + 1))
     for begin in range(0, len(pairs), _BLOCK):
         block = slice(begin, begin + _BLOCK)
-        t[block], values[block] = _lowest(pairs.real[block], pairs.imag[block], curve.degree)
+        t[block], values[block] = _lowest(pairs[block].tobytes(), curve.degree)
     negative = values < -_NEGATIVE * _largest(pairs.real, pairs.imag)[:, None]
     row, function = np.nonzero(negative[which])
     pair = which[row]
@@ -126,12 +127,16 @@ def hull(curve: Curve, segment: int) -> Floats:
     return np.array(_chain(points)[:-1] + _chain(points[::-1])[:-1]) * unit
 
 
-def _lowest(start: Floats, end: Floats, degree: int) -> tuple[Floats, Floats]:
+@lru_cache(maxsize=8)
+def _lowest(pairs: bytes, degree: int) -> tuple[Floats, Floats]:
     """Return where each basis function is lowest, and its value, (k, degree + 1) each; 0 if not below 0.
+
+    Of segments with these λ at start and end, complex numbers as bytes; kept, since several views of a curve ask.
 
     Near each node lower than its neighbours lies one minimum. It can be deeper than the node by no more than
     h²/8 times the greatest second derivative, which is below 8 + 8|λ| for every basis function.
     """
+    start, end = np.frombuffer(pairs).reshape(-1, 2).T
     largest = _largest(start, end)
     samples = basis(_NODES, start[:, None], end[:, None], degree)
     padded = np.pad(samples, ((0, 0), (1, 1), (0, 0)), constant_values=np.inf)
