@@ -37,9 +37,13 @@ class Grip(QWidget):
         painter.end()
 
 
-def scrolling_column(panels: Iterable[QWidget], stretching: QWidget) -> QScrollArea:
-    """Panels one above the other with rules between them; `stretching` takes what room is left."""
-    column = QWidget()
+def scrolling_column(panels: Iterable[QWidget], stretching: QWidget, dock: QWidget) -> QScrollArea:
+    """Panels one above the other with rules between them; `stretching` takes what room is left.
+
+    Everything is put in its place in the dock before it is measured: Qt would style it anew in another place.
+    """
+    scroll = QScrollArea(dock)
+    column = QWidget(scroll)
     stack = QVBoxLayout(column)
     stack.setContentsMargins(0, 0, 0, 0)
     stack.setSpacing(0)
@@ -49,7 +53,6 @@ def scrolling_column(panels: Iterable[QWidget], stretching: QWidget) -> QScrollA
             rule.setProperty("role", "rule")
             stack.addWidget(rule)
         stack.addWidget(panel, stretch=1 if panel is stretching else 0)
-    scroll = QScrollArea()
     scroll.setWidgetResizable(True)
     scroll.setFrameShape(QFrame.Shape.NoFrame)
     scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -67,7 +70,7 @@ class Dock(QDockWidget):
     rest while it cannot.
     """
 
-    def __init__(self, title: str, name: str, make: Callable[[], QWidget], parent: QWidget) -> None:
+    def __init__(self, title: str, name: str, make: Callable[[QWidget], QWidget], parent: QWidget) -> None:
         super().__init__(title, parent)
         self.setObjectName(name)
         self.setTitleBarWidget(Grip(self))
@@ -76,7 +79,7 @@ class Dock(QDockWidget):
 
     def _show_panel(self, seen: bool) -> None:
         if seen and self.widget() is None:
-            panel = self._make()
+            panel = self._make(self)
             policy = panel.sizePolicy()
             policy.setRetainSizeWhenHidden(True)  # or the docks would change their sizes with every tab
             panel.setSizePolicy(policy)
@@ -86,7 +89,7 @@ class Dock(QDockWidget):
 
 
 def add_dock(
-    window: QMainWindow, title: str, name: str, make: Callable[[], QWidget], area: Qt.DockWidgetArea
+    window: QMainWindow, title: str, name: str, make: Callable[[QWidget], QWidget], area: Qt.DockWidgetArea
 ) -> QDockWidget:
     """Make a dock at an edge of the window for a panel, as a further tab if there is a dock already."""
     dock = Dock(title, name, make, window)

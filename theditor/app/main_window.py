@@ -120,10 +120,10 @@ class MainWindow(QMainWindow):
         self.setCorner(Qt.Corner.BottomRightCorner, right)
         self.setTabPosition(bottom, QTabWidget.TabPosition.North)
         properties = add_dock(
-            self, "Properties", "properties", lambda: scrolling_column(column, self.segments), right
+            self, "Properties", "properties", partial(scrolling_column, column, self.segments), right
         )
         tabs = [
-            add_dock(self, title, name, partial(getattr, self, name), bottom)
+            add_dock(self, title, name, partial(self._panel, name), bottom)
             for title, name in (
                 ("λ strip", "lambda_strip"),
                 ("Points", "points"),
@@ -136,6 +136,11 @@ class MainWindow(QMainWindow):
         tabs[0].raise_()
         self.resizeDocks([properties], [COLUMN_WIDTH], Qt.Orientation.Horizontal)
         self.resizeDocks(tabs[:1], [196], Qt.Orientation.Vertical)
+
+    def _panel(self, name: str, dock: QWidget) -> QWidget:
+        """The panel for a dock that is seen for the first time."""
+        panel: QWidget = getattr(self, name)
+        return panel
 
     def _build_status_line(self) -> None:
         bar = self.statusBar()
