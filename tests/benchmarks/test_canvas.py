@@ -10,8 +10,7 @@ fastest of several. It prints, as multiples:
   same at 100 (the aim: at most 2);
 - the start of a drag, and undo and redo of little and much, at 10⁵ points, of painting all of the window anew
   (at most 1.5);
-- a frame of panning and of zooming at 10⁵ points, of the same at 100 (at most 4), and what is painted when the
-  wheel has come to rest: nothing new unless the frames before showed ink enlarged;
+- a frame of panning and of zooming at 10⁵ points, of the same at 100 (at most 4);
 - a frame of dragging 1,000 selected points out of 10⁵, of dragging one (at most 10), and, without an aim, of
   dragging all points of many curves and changing every λ of a long one.
 
@@ -28,7 +27,7 @@ import pytest
 from hand import LEFT, NONE, Hand
 from large import DRAWINGS, spiral
 from paired import fastest
-from PySide6.QtCore import QEvent, QEventLoop, QPointF, QSettings, Qt
+from PySide6.QtCore import QEvent, QPointF, QSettings, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
@@ -70,12 +69,6 @@ class Desk:
     def middle(self):
         plane = self.canvas.plane
         return plane.x, plane.y
-
-    def rest(self):
-        """Let go of the wheel, and wait for what happens then."""
-        while self.canvas.zooming:
-            QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
-        self.frame()
 
     def paint_anew(self):
         self.canvas.set_shown(grid=not self.canvas.shown.grid)
@@ -306,12 +299,11 @@ def test_panning(desks, report):
 
 
 def test_zooming(desks, report):
-    """A notch of the wheel from a view that is painted, and the frame that follows once the wheel is at rest."""
+    """A notch of the wheel, from a view that is painted."""
     name, *both = desks
 
     def start(enlarged):
         for desk in both:
-            desk.rest()
             desk.canvas.fit()
             desk.canvas.show_view(*desk.middle, desk.canvas.plane.scale * enlarged)
             desk.frame()
@@ -325,12 +317,6 @@ def test_zooming(desks, report):
         few, many = frames(*works, prepare=partial(start, enlarged))
         report(f"{name}: zooming {way} {many / few:.2f} ({many * 1e3:.1f} ms)")
 
-    def prepare():
-        start(1.0)
-        turn(both[1], 1)
-
-    (rest,) = frames(both[1].rest, prepare=prepare)
-    report(f"{name}: painting once the wheel is at rest {rest / few:.2f} ({rest * 1e3:.1f} ms)")
     for desk in both:
         desk.canvas.fit()
 

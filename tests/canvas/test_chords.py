@@ -53,6 +53,37 @@ def test_lines_and_curves_are_within_the_tolerance_of_each_other(drawing, tolera
         assert (distances(middles, pieces) <= tolerance + grain).all()
 
 
+def laid(tree, without, spacing):
+    leaves = tree.leaves(*WINDOW, without)
+    return [
+        np.hstack([np.empty((2, 0)), *tree.points(leaves.rows[leaves.curves == place], spacing, np.inf)]).T
+        for place in range(len(tree.sizes.T))
+    ]
+
+
+@given(drawings, st.sampled_from([0.003, 0.05, 0.7]), st.data())
+def test_no_place_of_a_curve_is_far_from_points_along_it(drawing, spacing, data):
+    tree = ChordTree(drawing)
+    without = {
+        place: np.array(sorted(data.draw(st.sets(st.integers(0, curve.segment_count - 1)))), dtype=np.intp)
+        for place, curve in enumerate(drawing)
+    }
+    for place, points in enumerate(laid(tree, without, spacing)):
+        curve = drawing[place]
+        kept = np.setdiff1d(np.arange(curve.segment_count), without[place])
+        wanted = curve((kept[:, None] + np.linspace(0, 1, 7)).ravel())
+        wanted = wanted[((wanted > WINDOW[0]) & (wanted < WINDOW[1])).all(axis=1)]
+        if len(wanted):
+            away = np.hypot(*np.moveaxis(wanted[:, None] - points, -1, 0)).min(axis=1)
+            assert away.max() <= spacing / 2 + 1e-9
+
+
+def test_too_many_points_are_given_up():
+    tree = ChordTree([Curve(np.arange(20.0).reshape(10, 2) ** 2)])
+    assert tree.points(np.arange(7), 1.0, 10) is None
+    assert sum(some.shape[1] for some in tree.points(np.arange(7), 1.0, 1e4)) <= 1e4
+
+
 @given(drawings, tolerances, st.data())
 def test_a_tree_that_follows_an_edit_is_the_tree_made_anew(drawing, tolerance, data):
     tree = ChordTree(drawing)
@@ -70,6 +101,8 @@ def test_a_tree_that_follows_an_edit_is_the_tree_made_anew(drawing, tolerance, d
         assert np.abs(now.lines - anew.lines).max(initial=0.0) < 1e-9
         assert (now.codes == anew.codes).all()
         assert (now.segments == anew.segments).all()
+        for some, others in zip(laid(tree, {}, 0.1), laid(ChordTree(new), {}, 0.1), strict=True):
+            assert np.abs(some - others).max(initial=0.0) < 1e-9
 
 
 def test_an_edit_of_a_long_curve_is_followed():

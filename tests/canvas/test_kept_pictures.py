@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QPalette, QPen, QPolygonF
 from PySide6.QtTest import QTest
 
-from theditor.canvas import curves, layers
+from theditor.canvas import curves
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.layers import Layers
 from theditor.canvas.viewport import Viewport
@@ -16,14 +16,14 @@ from theditor.model.colours import LIGHT
 from theditor.spline import Curve
 
 
-def shot(layers, canvas, ratio=1.0, *, zooming=False):
+def shot(layers, canvas, ratio=1.0):
     """One frame of a canvas as an array, (height, width, 4)."""
     frame = canvas._frame()
     size = round(frame.plane.width * ratio), round(frame.plane.height * ratio)
     image = QImage(*size, QImage.Format.Format_RGB32)
     image.setDevicePixelRatio(ratio)
     painter = QPainter(image)
-    layers.paint(painter, frame, zooming=zooming)
+    layers.paint(painter, frame)
     painter.end()
     return pixels(image)
 
@@ -128,14 +128,15 @@ def other_theme(canvas):
     canvas.setPalette(palette)
 
 
-@pytest.mark.parametrize(("seed", "ratio"), [(1, 1.0), (2, 2.0), (4, 1.5), (5, 1.0)])
-def test_no_frame_shows_what_was_before(canvas, seed, ratio, monkeypatch):
-    monkeypatch.setattr(layers, "MOST_LINES", 30)
+@pytest.mark.parametrize(
+    ("seed", "ratio", "dense"), [(1, 1.0, 0.08), (2, 2.0, 0.0), (4, 1.5, 0.08), (5, 1.0, 0.0)]
+)
+def test_no_frame_shows_what_was_before(canvas, seed, ratio, dense, monkeypatch):
+    monkeypatch.setattr(curves, "DENSE", dense)
     canvas.resize(480, 360)
     canvas.fit()
     kept = Layers(CurvesPainter())
     for at_rest in Fidget(canvas, seed):
-        shot(kept, canvas, ratio, zooming=True)
         wrong = differing(shot(kept, canvas, ratio), anew(canvas, ratio))
         # In mid-drag more may count as moving than does, and lies in another order where lines cross.
         assert wrong.sum() == 0 if at_rest else wrong.mean() < 5e-4
@@ -179,62 +180,6 @@ def test_panning_paints_what_comes_into_view(canvas, monkeypatch):
     shot(canvas._layers, canvas)
     width, height = plane.width, plane.height
     assert areas == [(0, 0, 7, height), (7, height - 3, width - 7, 3)]
-
-
-def on_screen(canvas):
-    QTest.qWait(0)
-    return pixels(canvas.backingStore().paintDevice().convertToFormat(QImage.Format.Format_RGB32))
-
-
-def beyond(drawn, wanted, reach):
-    """How far pixels are outside what a picture has within so many pixels of them."""
-    frame = ((reach, reach), (reach, reach), (0, 0))
-    around = np.lib.stride_tricks.sliding_window_view(
-        np.pad(wanted, frame, mode="edge"), (2 * reach + 1,) * 2, axis=(0, 1)
-    )
-    return np.maximum(around.min(axis=(3, 4)) - drawn, drawn - around.max(axis=(3, 4))).max(axis=2)
-
-
-@pytest.mark.parametrize("turns", [[1], [1, 1, -1], [-1, -1]])
-def test_while_the_hand_zooms_much_ink_is_enlarged_and_once_it_rests_it_is_exact(
-    canvas, hand, qtbot, monkeypatch, turns
-):
-    monkeypatch.setattr(layers, "MOST_LINES", 30)
-    canvas.set_shown(joints=False, legend=False)
-    assert not differing(on_screen(canvas), anew(canvas)).any()
-    for notches in turns:
-        hand.wheel((3.0, 3.0), notches)
-        seen = on_screen(canvas)
-        assert canvas.zooming
-    wanted = anew(canvas)
-    assert differing(seen, wanted).any()
-    assert (beyond(seen, wanted, 2) > 60).mean() < 1e-3
-    handles = np.round(canvas.plane.to_pixels(canvas.document.drawing[0].curve.control_points)).astype(int)
-    for x, y in handles[(handles > 6).all(axis=1) & (handles < (794, 594)).all(axis=1)]:
-        assert not differing(*(p[y - 1 : y + 2, x - 1 : x + 2] for p in (seen, wanted))).any()
-    assert not differing(pixels(canvas.grab().toImage()), wanted).any()
-    qtbot.waitUntil(lambda: not canvas.zooming)
-    assert not differing(on_screen(canvas), wanted).any()
-
-
-@pytest.mark.parametrize("change", ["edit", "theme", "look", "size"])
-def test_what_changes_while_the_hand_zooms_is_drawn_exactly(canvas, hand, monkeypatch, change):
-    monkeypatch.setattr(layers, "MOST_LINES", 30)
-    canvas.set_shown(legend=False)
-    on_screen(canvas)
-    hand.wheel((3.0, 3.0), 1)
-    assert differing(on_screen(canvas), anew(canvas)).any()
-    if change == "edit":
-        curve = canvas.document.drawing[1].curve
-        canvas.document.apply_curve("Move", 1, curve.with_points([1], [[3.0, 7.0]]))
-    elif change == "theme":
-        other_theme(canvas)
-    elif change == "look":
-        canvas.set_shown(modes=False)
-    else:
-        canvas.resize(700, 500)
-    assert canvas.zooming
-    assert not differing(on_screen(canvas), anew(canvas)).any()
 
 
 def test_going_back_and_forth_measures_no_curve_again(canvas, monkeypatch):
@@ -281,9 +226,11 @@ def winding(count):
     return (turns * np.stack([np.cos(turns), np.sin(turns)])).T / 12
 
 
+@pytest.mark.parametrize("dense", [0.0, np.inf])
 @pytest.mark.parametrize("make", [writing, winding])
-def test_what_is_left_out_of_a_crowded_picture_cannot_be_seen(qapp, make, monkeypatch):
+def test_what_is_left_out_of_a_crowded_picture_cannot_be_seen(qapp, make, dense, monkeypatch):
     monkeypatch.setattr(curves, "CROWDED", 4000)
+    monkeypatch.setattr(curves, "DENSE", dense)
     curve = Curve(make(4500), ends="clamped")
     low, high = curve.control_points.min(axis=0), curve.control_points.max(axis=0)
     plane = Viewport(*((low + high) / 2).tolist(), 500.0 / float((high - low).max()), 520.0, 520.0)
@@ -305,7 +252,7 @@ def test_what_is_left_out_of_a_crowded_picture_cannot_be_seen(qapp, make, monkey
     # As far as when nothing moves by more than half a pixel: each pixel is between its neighbours' values.
     around = np.lib.stride_tricks.sliding_window_view(np.pad(wanted, 1, mode="edge"), (3, 3))
     beyond = np.maximum(around.min(axis=(2, 3)) - drawn, drawn - around.max(axis=(2, 3)))
-    assert (beyond > 16).mean() < 1e-3
+    assert (beyond > 16).mean() < 3e-3
     assert np.abs(drawn - wanted).mean() < 7
 
 

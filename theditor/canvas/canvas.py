@@ -137,8 +137,8 @@ class Canvas(PlaneView):
         """Leave the ground to the picture, which covers it."""
 
     def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
-        """Paint the picture; who takes a copy of it gets it as it is when the hand rests."""
-        self._layers.paint(painter, self._frame(), zooming=self.zooming and self.is_screen(painter))
+        """Paint the picture."""
+        self._layers.paint(painter, self._frame())
 
     def _frame(self) -> Frame:
         selection = self._selection

@@ -9,19 +9,17 @@ So a picture costs as many lines as the eye can tell apart, not as many as the d
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from theditor.canvas.levels import Flags, Floats, Ints, Level, distances, longest_step, stray
 from theditor.spline import Curve, changed_segments, enclosures, joints
 from theditor.spline.distinct import distinct
-from theditor.spline.sampling import intervals_within, sample_parts
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.intp]
-Flags = NDArray[np.bool_]
+from theditor.spline.sampling import intervals_within, middles, sample_parts
 
 STEPS = 8
 """Into so many steps each segment is cut to measure how far it strays from its chords."""
@@ -31,35 +29,6 @@ BLOCK = 8192
 """So many segments are measured at a time, as their numbers stay in the processor's cache."""
 MIXED = -1
 """The mode of a run of segments that have different ones."""
-
-
-class Level(NamedTuple):
-    """All nodes of one height, in the order of the curves and of their segments."""
-
-    low: Floats  # (2, n) the box
-    high: Floats  # (2, n)
-    strays: Floats  # (n,) greatest distance from the chord
-    code: NDArray[np.int8]  # (n,) mode as in `Curve.mode_codes`, or MIXED
-    first: Ints  # (n,) the leaves of the run
-    last: Ints  # (n,)
-    left: Ints  # (n,) the children in the level below; the same one twice where there is one alone
-    right: Ints  # (n,)
-
-    def meet(self, nodes: Ints, low: Floats, high: Floats) -> Flags:
-        """Which of some boxes meet a window."""
-        return _between(self.low.take(nodes, axis=1), self.high.take(nodes, axis=1), low, high)
-
-    def within(self, nodes: Ints, low: Floats, high: Floats) -> Flags:
-        """Which of some boxes lie in a window altogether."""
-        return _between(self.high.take(nodes, axis=1), self.low.take(nodes, axis=1), low, high)
-
-    def below(self, nodes: Ints) -> Ints:
-        """The children of some nodes, in their order."""
-        left, right = self.left[nodes], self.right[nodes]
-        children = np.stack((left, right), axis=1)
-        two = np.ones(children.shape, dtype=np.bool_)
-        np.not_equal(left, right, out=two[:, 1])
-        return children[two]
 
 
 class Chords(NamedTuple):
@@ -77,19 +46,31 @@ class Chords(NamedTuple):
     """(n, 2): t at the start and the end of each line, of a line within one segment."""
 
 
+class Leaves(NamedTuple):
+    """Segments in the order of the curves and along them."""
+
+    rows: Ints
+    """(n,): their numbers among those of all curves."""
+    curves: Ints
+    """(n,): the curve's place among those of the tree."""
+    codes: NDArray[np.int8]
+    """(n,): the mode as in `Curve.mode_codes`."""
+
+
 class ChordTree:
     """The trees over several plane curves, side by side."""
 
     def __init__(self, curves: Sequence[Curve]) -> None:
         self._curves = list(curves)
-        forms = [curve.joint_form for curve in curves] or [NOTHING]
-        self._parts = joints.Segments(*(np.concatenate(part, axis=-1) for part in zip(*forms, strict=True)))
         counts = np.array([curve.segment_count for curve in curves], dtype=np.intp)
         self._begins = np.concatenate(([0], np.cumsum(counts)))
         self._cubic = np.repeat(np.array([curve.degree == 3 for curve in curves], dtype=np.bool_), counts)
         self._owner = np.repeat(np.arange(len(curves)), counts)
         total = int(self._begins[-1])
-        self._turning = np.empty(total)
+        self._forms = np.empty((total, 10))  # what belongs to one segment lies together
+        for curve, begin, end in zip(curves, self._begins, self._begins[1:], strict=False):
+            _put(self._forms[begin:end].T, slice(None), _rows(curve.joint_form))
+        self._turning, self._speeds = np.empty((2, total))
         self._strays = np.empty((len(CUTS), total))
         self._ends = np.empty((4, total))
         every = np.arange(total)
@@ -129,8 +110,7 @@ class ChordTree:
                 patches.append((new, segments))
         changed = np.concatenate([np.empty(0, dtype=np.intp), *rows])
         for where, (curve, segments) in zip(rows, patches, strict=True):
-            for mine, new_part in zip(self._parts, joints.take_segments(curve, segments), strict=True):
-                _put(np.atleast_2d(mine), where, np.atleast_2d(new_part))
+            _put(self._forms.T, where, _rows(joints.take_segments(curve, segments)))
             self._levels[0].code[where] = curve.codes_of(segments)
         self._curves = list(curves)
         self._measure(changed)
@@ -155,8 +135,9 @@ class ChordTree:
         points = np.ascontiguousarray(points.transpose(2, 0, 1))
         turning = enclosures.turning(parts, degree)
         unseen = turning / (8 * STEPS**2)  # how far it may be from the chords between the points
-        strays = [_stray(points, steps) + unseen for steps in CUTS]
+        strays = [stray(points, steps) + unseen for steps in CUTS]
         self._turning[own], leaves.strays[own] = turning, strays[0]
+        self._speeds[own] = STEPS / 2 * longest_step(points[::2]) + turning / STEPS
         _put(self._strays, own, strays)
         _put(self._ends, own, (*points[0], *points[-1]))
         _put(leaves.low, own, points.min(axis=0) - unseen)
@@ -164,7 +145,8 @@ class ChordTree:
 
     def _parts_of(self, leaves: Ints) -> joints.Segments:
         """Some leaves in joint form."""
-        return joints.Segments(*(part.take(leaves, axis=-1) for part in self._parts))
+        rows = self._forms.take(leaves, axis=0).T
+        return joints.Segments(rows[0:2], rows[2:4], rows[4:6], rows[6:8], rows[8], rows[9])
 
     def _grow(self, counts: Ints) -> None:
         """Add the level over the last one, in which the curves have that many nodes each."""
@@ -209,7 +191,7 @@ class ChordTree:
         high = np.maximum(children.high.take(left, axis=1), children.high.take(right, axis=1))
         starts, ends = self._ends[:2], self._ends[2:]
         start, middle = starts.take(level.first[nodes], axis=1), ends.take(children.last[left], axis=1)
-        apart = _distances(middle, start, ends.take(level.last[nodes], axis=1))
+        apart = distances(middle, start, ends.take(level.last[nodes], axis=1))
         apart[left == right] = 0.0
         level.strays[nodes] = np.maximum(children.strays[left], children.strays[right]) + apart
         one, other = children.code[left], children.code[right]
@@ -226,7 +208,7 @@ class ChordTree:
         by_mode: int = -1,
         without: Mapping[int, Ints] | None = None,
         whole: bool = False,
-        most: int | None = None,
+        most: float = np.inf,
     ) -> Chords | None:
         """The lines to draw for what a window shows.
 
@@ -265,19 +247,58 @@ class ChordTree:
                 codes.append(level.code[found])
                 nodes = nodes[~fits]
                 count += len(found)
-            if most is not None and count + len(nodes) > most:
+            if count + len(nodes) > most:
                 return None
             nodes = level.below(nodes) if height else nodes
         steps = self._steps(nodes, tolerance)
-        if most is not None and count + int(steps.sum()) > most:
+        if count + int(steps.sum()) > most:
             return None
         return self._lines(np.concatenate(first), np.concatenate(last), np.concatenate(codes), nodes, steps)
 
     def seen(self, place: int, low: Floats, high: Floats) -> Ints:
         """The segments of one curve whose boxes meet a window, ascending."""
         begin, end = self._begins[place : place + 2].tolist()
+        return self._met(np.array([place]), low, high, begin, end)
+
+    def leaves(self, low: Floats, high: Floats, without: Mapping[int, Ints] | None = None) -> Leaves:
+        """The segments of all curves whose boxes meet a window, but for some, by the curve."""
+        rows = self._met(np.arange(len(self._levels[-1].first)), low, high, 0, self.size)
+        if barred := self._barred(without or {}):
+            rows = rows[~barred[0][rows]]
+        return Leaves(rows, self._owner[rows], self._levels[0].code[rows])
+
+    def points(self, rows: Ints, spacing: float, most: float) -> Iterator[Floats] | None:
+        """Points, (2, n) at a time, along some leaves, no farther apart than a spacing.
+
+        None if they are to be more than `most`.
+        """
+        steps = self._speeds[rows]
+        steps /= spacing
+        return (
+            self._points(rows, steps)
+            if steps.sum() + len(rows) <= most and steps.max(initial=0.0) < 2**14
+            else None
+        )
+
+    def _points(self, rows: Ints, steps: Floats) -> Iterator[Floats]:
+        """Points along some leaves, in that many equal steps of t or more, and in few different numbers."""
+        numbers = np.ceil(steps).astype(np.uint16)
+        numbers |= numbers == 0
+        numbers += numbers & (numbers > 6)
+        numbers += -numbers % 16 * (numbers > 16)
+        keys = numbers * 2 + self._cubic[rows]
+        order = np.argsort(keys, kind="stable")
+        rows, keys = rows[order], keys[order]
+        begins = [0, *(np.flatnonzero(keys[1:] != keys[:-1]) + 1).tolist(), len(rows)]
+        for begin, end in pairwise(begins):
+            for first in range(begin, end, BLOCK):
+                parts = self._parts_of(rows[first : min(first + BLOCK, end)])
+                number, cubic = divmod(int(keys[first]), 2)
+                yield middles(parts, 2 + cubic, number)
+
+    def _met(self, nodes: Ints, low: Floats, high: Floats, begin: int, end: int) -> Ints:
+        """Which of the leaves from `begin` to `end`, below some roots, meet a window; counted from `begin`."""
         steps = np.zeros(end - begin + 1, dtype=np.intp)
-        nodes = np.array([place])
         for height in range(len(self._levels) - 1, -1, -1):
             level = self._levels[height]
             nodes = nodes[level.meet(nodes, low, high)]
@@ -336,45 +357,12 @@ class ChordTree:
         return steps
 
 
-NOTHING = joints.Segments(*(np.empty((2, 0)),) * 4, *(np.empty(0),) * 2)
+def _rows(parts: joints.Segments) -> Iterator[Floats]:
+    """The coordinates of all parts of segments, one after the other, (k,) each."""
+    return (row for part in parts for row in np.atleast_2d(part))
 
 
-def _between(one: Floats, other: Floats, low: Floats, high: Floats) -> Flags:
-    """Where the first corner of a box, (2, n), is not above a window and the second not below it."""
-    between: Flags = one[0] <= high[0]
-    between &= other[0] >= low[0]
-    between &= one[1] <= high[1]
-    between &= other[1] >= low[1]
-    return between
-
-
-def _put(rows: Floats, places: Ints, values: Iterable[Floats]) -> None:
+def _put(rows: Floats, places: Ints | slice, values: Iterable[Floats]) -> None:
     """Write values into some places of each row; NumPy takes longer over all rows at once."""
     for row, new in zip(rows, values, strict=True):
         row[places] = new
-
-
-def _stray(points: Floats, steps: int) -> Floats:
-    """How far points along segments, (STEPS + 1, 2, k), stray from the chords over `steps` equal steps."""
-    stride = STEPS // steps
-    inner = points[:-1].reshape(steps, stride, 2, -1)[:, 1:]
-    farthest: Floats = _distances(inner, points[:-1:stride, None], points[stride::stride, None]).max(
-        axis=(0, 1)
-    )
-    return farthest
-
-
-def _distances(points: Floats, start: Floats, end: Floats) -> Floats:
-    """The distance of each point, (…, 2, n), from its own straight line between two ends."""
-    away, along = points - start, end - start
-    x, y, dx, dy = away[..., 0, :], away[..., 1, :], along[..., 0, :], along[..., 1, :]
-    squares = dx * dx + dy * dy
-    t = x * dx + y * dy
-    t *= np.divide(1.0, squares, out=np.zeros_like(squares), where=squares > 1e-300)
-    np.clip(t, 0.0, 1.0, out=t)
-    x -= t * dx
-    y -= t * dy
-    x *= x
-    y *= y
-    x += y
-    return np.sqrt(x, out=x)

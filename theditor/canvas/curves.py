@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from operator import is_
+from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache, partial
+from itertools import groupby
+from operator import is_, itemgetter
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from theditor.canvas.chords import ChordTree
+from theditor.canvas.chords import ChordTree, Leaves
+from theditor.canvas.dense import NARROWEST, WIDEST, paint_dense, spacing
 from theditor.canvas.handles import FEW, MOST_IN_SQUARE, SQUARE
 from theditor.canvas.held import Held
 from theditor.canvas.lines import clipped, draw_lines
@@ -23,6 +26,8 @@ from theditor.spline import Curve, Mode
 from theditor.spline.distinct import distinct
 
 Ints = NDArray[np.intp]
+Style = tuple[str, float]
+"""Colour and width of a pen."""
 
 MODES = (Mode.TRIGONOMETRIC, Mode.HYPERBOLIC, Mode.INTERPOLATING, Mode.BLEND)
 """Modes by their code in `Curve.mode_codes`."""
@@ -30,6 +35,10 @@ CROWDED = 10_000
 """In a drawing of more segments than this, lines may run over several of them more freely."""
 CROWDED_TOLERANCE = 0.25
 """So many pixels they may then be away from the curve."""
+DENSE = 0.08
+"""Curves of more lines than this for each pixel are laid as points, which takes less time, …"""
+MOST_INKS, MOST_POINTS = 8, 8
+"""… unless they come in more colours and widths one over the other, or run to more points for each pixel."""
 MOST_KEPT = 300_000
 """Trees over so many segments are kept for going back to former drawings; they take some 280 bytes each."""
 
@@ -132,47 +141,86 @@ class CurvesPainter:
         by_mode: bool,
         without: Mapping[int, Ints] | None = None,
         area: Area | None = None,
-        tolerance: float | None = None,
-        most: int | None = None,
-    ) -> int | None:
-        """Paint all curves, the current one last, so that it lies on top; returns how many lines they are.
+    ) -> None:
+        """Paint all curves, the current one last, so that it lies on top.
 
-        Some segments of some may be left out; what lies outside an area in pixels may be, too. The lines are
-        within a tolerance in pixels of the curves, by default one that no eye sees. If they are more than `most`,
-        nothing is painted, and None returned.
+        Some segments of some may be left out; what lies outside an area in pixels may be, too.
         """
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         margin = 8.0 + max((drawing[i].width for i in self._places), default=0.0) / 2
+        area = area or (0.0, 0.0, viewport.width, viewport.height)
         low, high = viewport.window(margin, area)
-        if tolerance is None:
-            tolerance = TOLERANCE if self._tree.size <= CROWDED else CROWDED_TOLERANCE
         ratio = painter.device().devicePixelRatioF()
-        top = self._places.get(current, -1)
-        chords = self._tree.chords(
+        room = ratio**2 * (area[2] + 2 * margin) * (area[3] + 2 * margin)
+        tolerance = TOLERANCE if self._tree.size <= CROWDED else CROWDED_TOLERANCE
+        top, without = self._places.get(current, -1), self._by_place(without)
+        lines_if = partial(
+            self._tree.chords,
             low,
             high,
             tolerance / ratio / viewport.scale,
             by_mode=top if by_mode else -1,
-            without=self._by_place(without),
-            most=most,
+            without=without,
         )
+        inks = partial(self._inks, drawing, top, colours, by_mode=by_mode)
+        chords = lines_if(most=DENSE * room)
         if chords is None:
-            return None
+            leaves = self._tree.leaves(low, high, without)
+            laid = self._laid(leaves, inks(leaves.curves, leaves.codes), viewport.scale, ratio, room)
+            if laid is not None:
+                for (colour, width), points in laid:
+                    paint_dense(painter, points, viewport, width, colour, area)
+                return
+            chords = lines_if()
+            assert chords is not None, "however many they are"
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         lines, kept = clipped(viewport.lines_to_pixels(chords.lines), viewport.width, viewport.height, margin)
-        owners, codes = chords.curves[kept], chords.codes[kept]
+        pens: dict[Style, QPen] = {}
+        for style, chosen in inks(chords.curves[kept], chords.codes[kept]):
+            painter.setPen(_pen_of(style, pens))
+            draw_lines(painter, lines[chosen] if isinstance(chosen, slice) else lines.take(chosen, axis=0))
+
+    def _inks(
+        self,
+        drawing: Drawing,
+        top: int,
+        colours: Colours,
+        owners: Ints,
+        codes: NDArray[np.int8],
+        *,
+        by_mode: bool,
+    ) -> Iterator[tuple[Style, slice | Ints]]:
+        """Which parts of what belongs to some curves, by their places, ascending, to paint how, from the bottom up."""
         indices = list(self._places)
         starts = np.searchsorted(owners, np.arange(len(indices) + 1)).tolist()
-        pens: dict[tuple[str, float], QPen] = {}
         for place in sorted(distinct(owners).tolist(), key=lambda place: place == top):
             item, own = drawing[indices[place]], slice(starts[place], starts[place + 1])
             if by_mode and place == top:
                 for code in distinct(codes[own]).tolist():
-                    painter.setPen(curve_pen(colours.of_mode(MODES[code]), item.width))
-                    draw_lines(painter, lines[own].take(np.flatnonzero(codes[own] == code), axis=0))
+                    style = colours.of_mode(MODES[code]), item.width
+                    yield style, own.start + np.flatnonzero(codes[own] == code)
             else:
-                painter.setPen(_pen_of(item, colours, pens))
-                draw_lines(painter, lines[own])
-        return len(lines)
+                yield _style_of(item, colours), own
+
+    def _laid(
+        self,
+        leaves: Leaves,
+        inks: Iterator[tuple[Style, slice | Ints]],
+        scale: float,
+        ratio: float,
+        room: float,
+    ) -> list[tuple[Style, Iterator[Floats]]] | None:
+        """Points, (2, n) at a time, along some segments, by how to paint them; None where lines take less time."""
+        result: list[tuple[Style, Iterator[Floats]]] = []
+        for style, group in groupby(inks, key=itemgetter(0)):
+            own = np.concatenate([leaves.rows[chosen] for _, chosen in group])
+            width = style[1] * ratio
+            if not NARROWEST <= width <= WIDEST or len(result) == MOST_INKS:
+                return None
+            points = self._tree.points(own, spacing(width) / ratio / scale, MOST_POINTS * room)
+            if points is None:
+                return None
+            result.append((style, points))
+        return result
 
 
 def paint_segments(
@@ -181,9 +229,9 @@ def paint_segments(
     """Paint some segments of items' plane curves in their own colours, as `CurvesPainter.paint` does all."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     margin = 8.0 + max((item.width for item, *_ in parts), default=0.0) / 2
-    pens: dict[tuple[str, float], QPen] = {}
+    pens: dict[Style, QPen] = {}
     for (item, *_), lines in zip(parts, traced([part[1:] for part in parts], viewport, margin), strict=True):
-        painter.setPen(_pen_of(item, colours, pens))
+        painter.setPen(_pen_of(_style_of(item, colours), pens))
         draw_lines(painter, lines)
 
 
@@ -229,17 +277,22 @@ def curve_pen(colour: str, width: float) -> QPen:
     return pen
 
 
-def _pen_of(item: Item, colours: Colours, pens: dict[tuple[str, float], QPen]) -> QPen:
-    """The pen for an item in its own colour; pens are kept for the next of the same style."""
-    style = item.color, item.width
-    return pens.get(style) or pens.setdefault(style, curve_pen(_legible(item, colours), item.width))
+def _pen_of(style: Style, pens: dict[Style, QPen]) -> QPen:
+    """The pen of a style; pens are kept for the next time."""
+    return pens.get(style) or pens.setdefault(style, curve_pen(*style))
 
 
-def _legible(item: Item, colours: Colours) -> str:
-    """The item's colour, lightened or darkened where it would vanish in the canvas."""
-    colour, ground = QColor(item.color), QColor(colours.canvas)
+def _style_of(item: Item, colours: Colours) -> Style:
+    """How to paint an item in its own colour."""
+    return _legible(item.color, colours.canvas), item.width
+
+
+@lru_cache(maxsize=256)
+def _legible(own: str, canvas: str) -> str:
+    """A curve's own colour, lightened or darkened where it would vanish in the canvas."""
+    colour, ground = QColor(own), QColor(canvas)
     if abs(_luma(colour) - _luma(ground)) >= 70:
-        return item.color
+        return own
     hue, saturation, lightness = colour.hslHue(), colour.hslSaturation(), colour.lightness()
     target = 255 - lightness if abs(255 - 2 * lightness) > 60 else (220 if _luma(ground) < 128 else 60)
     return QColor.fromHsl(max(hue, 0), saturation, target).name()

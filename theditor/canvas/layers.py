@@ -5,14 +5,14 @@ halos), one of the curves and what lies above them (joints, signs, handles). A f
 second, each followed by what is alive there, and paints what is above all: what is selected, what is under the
 pointer, what the hand is about to do. The pictures are painted anew only when something that they show has
 changed: the view, the theme, the drawing. While the hand pans, the second is shifted, and painted where it
-comes into view. While it zooms, and the curves are more lines than a frame has time for, they are enlarged or
-reduced as they were last painted, until the hand rests.
+comes into view.
 
 As long as a gesture is under way the pictures show the drawing before it, less the segments, edges, joints and
 handles that differ from it now. Those are alive, painted by the same functions as all others.
 
-Painting the pictures takes as many lines as the eye can tell apart (`chords`, `handles.detail`), so what changes
-everything depends on how much ink there is to see, not on the size of the drawing.
+Painting the pictures takes as many lines as the eye can tell apart (`chords`, `handles.detail`), and where these
+would be very many a picture of bits (`dense`), so what changes everything depends on the pixels of the picture
+more than on the size of the drawing.
 """
 
 from __future__ import annotations
@@ -27,7 +27,6 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 from theditor.canvas.curves import CurvesPainter, paint_ghost, paint_modes, paint_segments
 from theditor.canvas.handles import Detail, detail
 from theditor.canvas.labels import MOST
-from theditor.canvas.moved import scaled, shift
 from theditor.canvas.part import Part, changed_parts, no_part
 from theditor.canvas.picture import (
     Frame,
@@ -49,10 +48,6 @@ from theditor.spline.distinct import distinct
 
 MOST_ALIVE = 20_000
 """When more segments than this move, they are painted like those that stand still."""
-MOST_LINES = 40_000
-"""Curves that are more lines than this are not painted anew while the hand zooms."""
-ROUGH = 1.0
-"""So many pixels the lines may be away from what comes into view meanwhile."""
 
 
 class Still(NamedTuple):
@@ -69,13 +64,6 @@ class Still(NamedTuple):
     ratio: float
 
 
-class Ink(NamedTuple):
-    """A picture of the curves alone."""
-
-    plane: Viewport
-    picture: QPixmap
-
-
 class Layers:
     """Paints frames, and keeps between them the pictures of what stands still."""
 
@@ -85,13 +73,9 @@ class Layers:
         self._alive: dict[int, Part] = {}
         self._details: dict[int, Detail] = {}
         self._below, self._above = QPixmap(), QPixmap()
-        self._ink: Ink | None = None
-        """What the upper picture shows of the curves, if they are many lines."""
-        self._rough = False
-        """Whether it shows them enlarged or reduced."""
 
-    def paint(self, painter: QPainter, frame: Frame, *, zooming: bool = False) -> None:
-        """Paint a frame; while the hand zooms, curves of many lines as they were painted in another view."""
+    def paint(self, painter: QPainter, frame: Frame) -> None:
+        """Paint a frame."""
         settled, alive = _told_apart(frame)
         held = frame.held if frame.has_current else ()
         still = Still(
@@ -111,7 +95,7 @@ class Layers:
         def seen(index: int) -> Curve:
             return now.get(index) or self._curves.plane_curve(index)
 
-        self._keep(still, {i: alive[i] for i in now}, frame, zooming=zooming)
+        self._keep(still, {i: alive[i] for i in now}, frame)
         painter.drawPixmap(0, 0, self._below)
         paint_behind(painter, frame, seen)
         alive_ones = [i for i in held if i in self._alive and i in self._details]
@@ -139,84 +123,71 @@ class Layers:
                 segments = np.concatenate([self._curves.seen(still.current, frame.plane), part.segments])
                 paint_names(painter, frame, seen(still.current), distinct(segments))
 
-    def _keep(self, still: Still, alive: dict[int, Part], frame: Frame, *, zooming: bool) -> None:
+    def _keep(self, still: Still, alive: dict[int, Part], frame: Frame) -> None:
         """Paint the kept pictures anew unless they show what stands still, without what is alive."""
         left_out = all(i in self._alive and self._alive[i].holds(part) for i, part in alive.items())
         over = frame.before is None and self._alive
-        if still == self._still and left_out and not over and (zooming or not self._rough):
+        if still == self._still and left_out and not over:
             return
         if self._still is not None and still.drawing is self._still.drawing and alive:
             for i, part in self._alive.items():
                 alive[i] = part.united(curve := still.drawing[i].curve, alive.get(i) or no_part(curve))
-        former = None if alive or self._alive else self._former_view(still)
-        shifted = former.shift_to(still.plane, still.ratio) if former and not self._rough else None
+        shift = None if alive or self._alive else self._shift(still)
         self._still, self._alive = still, alive
         self._details = {}
         packed = self._curves.packed(still.plane)
         pieces = [self._still_piece(frame, index) for index in still.held if index not in packed]
-        areas = self._blank() if shifted is None else shift(self._above, *shifted)
+        exposed = self._scrolled(*shift) if shift is not None else self._blank()
         self._below.fill(QColor(still.colours.canvas))
         painter = QPainter(self._below)
         paint_ground(painter, frame)
         for piece in pieces:
             paint_below(painter, frame, piece)
         painter.end()
-        if shifted is None:
-            self._paint_ink(areas, self._ink if zooming and former else None)
-        else:
-            self._paint_curves(areas)
         painter = QPainter(self._above)
-        for area in areas:
+        for area in exposed:
             painter.setClipRect(QRectF(*area))
-            for piece in pieces:
-                paint_above(painter, frame, piece)
-        painter.end()
-
-    def _paint_ink(self, areas: list[Area], former: Ink | None) -> None:
-        """Paint the curves into the empty upper picture, or if they are many lines as they are in a former one."""
-        assert self._still is not None
-        plane = self._still.plane
-        lines = self._paint_curves(areas, most=MOST_LINES if former else None)
-        self._rough = former is not None and lines is None
-        if former is not None and lines is None:
-            self._above, areas = scaled(former.picture, former.plane, plane)
-            self._paint_curves(areas, tolerance=ROUGH)
-        self._ink = Ink(plane, QPixmap(self._above)) if lines is None or lines > MOST_LINES else None
-
-    def _paint_curves(
-        self, areas: list[Area], *, most: int | None = None, tolerance: float | None = None
-    ) -> int | None:
-        """Paint, in some areas, what stands still of the curves, as `CurvesPainter.paint` does."""
-        still = self._still
-        assert still is not None
-        painter = QPainter(self._above)
-        counts = []
-        for area in areas:
-            painter.setClipRect(QRectF(*area))
-            count = self._curves.paint(
+            self._curves.paint(
                 painter,
                 still.drawing,
                 still.current,
                 still.plane,
                 still.colours,
                 by_mode=still.shown.modes,
-                without={i: part.segments for i, part in self._alive.items()},
+                without={i: part.segments for i, part in alive.items()},
                 area=area,
-                most=most,
-                tolerance=tolerance,
             )
-            if count is not None:
-                counts.append(count)
+            for piece in pieces:
+                paint_above(painter, frame, piece)
         painter.end()
-        return sum(counts) if len(counts) == len(areas) else None
 
-    def _former_view(self, still: Still) -> Viewport | None:
-        """The part of the plane that the kept pictures show, if they differ in nothing else from those wanted."""
-        former = self._still
-        if former is None or former._replace(plane=still.plane) != still:
+    def _shift(self, still: Still) -> tuple[int, int] | None:
+        """By how many device pixels the kept pictures are shifted against those wanted, if that is all."""
+        kept = self._still
+        if kept is None or kept._replace(plane=still.plane) != still:
             return None
-        size = still.plane.width, still.plane.height
-        return former.plane if (former.plane.width, former.plane.height) == size else None
+        return kept.plane.shift_to(still.plane, still.ratio)
+
+    def _scrolled(self, x: int, y: int) -> list[Area]:
+        """Shift the upper picture by some device pixels; returns the areas that come into view, empty."""
+        picture = self._above
+        width, height, ratio = picture.width(), picture.height(), picture.devicePixelRatio()
+        if abs(x) >= width or abs(y) >= height:
+            return self._blank()
+        picture.scroll(x, y, picture.rect())
+        upright = 0 if x > 0 else width + x, 0, abs(x), height
+        level = max(x, 0), 0 if y > 0 else height + y, width - abs(x), abs(y)
+        areas: list[Area] = [
+            (left / ratio, top / ratio, wide / ratio, high / ratio)
+            for left, top, wide, high in (upright, level)
+            if wide and high
+        ]
+        painter = QPainter(picture)
+        painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Source)
+        for area in areas:
+            painter.fillRect(QRectF(*area), Qt.GlobalColor.transparent)
+        painter.end()
+        return areas
 
     def _blank(self) -> list[Area]:
         """Make both pictures new where the size is another, and the upper one empty; returns its whole area."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QEvent, QRectF, Qt, QTimer
-from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QPainter, QWheelEvent
+from PySide6.QtCore import QEvent, QRectF, Qt
+from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from theditor.canvas.viewport import Floats, Viewport
@@ -15,8 +15,6 @@ from theditor.spline import MAX_COORDINATE
 ZOOM_STEP = 1.25
 NOTCH = 120
 """What a notch of a wheel counts."""
-REST = 100
-"""So many milliseconds after the wheel was turned the hand is at rest."""
 WIDEST = 1e13
 """The largest part of the plane that is shown, in units; coordinates end at 10¹²."""
 
@@ -33,20 +31,6 @@ class PlaneView(pg.GraphicsView):
         self.setCentralItem(self.box)
         self.setCacheMode(self.CacheModeFlag.CacheNone)
         self.setViewportUpdateMode(self.ViewportUpdateMode.FullViewportUpdate)
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
-        self._rest.setInterval(REST)
-        self._rest.timeout.connect(self.viewport().update)
-
-    @property
-    def zooming(self) -> bool:
-        """Whether the hand zooms; once it rests, the view is painted anew."""
-        return self._rest.isActive()
-
-    def is_screen(self, painter: QPainter) -> bool:
-        """Whether what is painted goes to the screen, not into a copy that someone takes."""
-        store = self.viewport().backingStore()
-        return store is not None and painter.paintEngine().paintDevice() is store.paintDevice()
 
     @property
     def plane(self) -> Viewport:
@@ -69,7 +53,6 @@ class PlaneView(pg.GraphicsView):
 
     def zoom(self, factor: float, at: Floats | None = None) -> None:
         """Enlarge by `factor`, keeping the point at pixel `at` (default the middle) where it is."""
-        self._rest.start()
         plane = self.plane
         if at is None:
             at = np.array([plane.width / 2, plane.height / 2])

@@ -290,10 +290,18 @@ def sample_parts(parts: joints.Segments, degree: int, intervals: NDArray[np.intp
     return Samples(np.arange(len(intervals)), intervals, starts, points.T)
 
 
+def middles(parts: joints.Segments, degree: int, intervals: int) -> Floats:
+    """Return points in the middle of equal steps of t along k segments in joint form, (d, k · intervals)."""
+    dimension, count = parts.start.shape
+    points = np.empty((dimension, count, intervals))
+    _fill(parts, _generators(intervals, degree, middle=True), points)
+    return points.reshape(dimension, -1)
+
+
 @lru_cache(maxsize=64)
-def _generators(intervals: int, degree: int) -> Floats:
-    """Return the weights of a segment's features at t = j/intervals, (features, intervals + 1)."""
-    t = np.arange(intervals + 1) / intervals
+def _generators(intervals: int, degree: int, *, middle: bool = False) -> Floats:
+    """Return the weights of a segment's features at t = j/intervals, (features, intervals + 1), or in between."""
+    t = (np.arange(intervals) + 0.5 if middle else np.arange(intervals + 1)) / intervals
     order = 2 - degree
     straight = [np.ones_like(t)] if degree == 2 else [1 - t, t]
     bends = []
