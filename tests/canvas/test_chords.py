@@ -105,6 +105,28 @@ def test_a_tree_that_follows_an_edit_is_the_tree_made_anew(drawing, tolerance, d
             assert np.abs(some - others).max(initial=0.0) < 1e-9
 
 
+@given(drawings, tolerances, st.data())
+def test_a_tree_follows_curves_that_are_moved_whole(drawing, tolerance, data):
+    tree, new = ChordTree(drawing), drawing
+    for _ in range(2):
+        offset = np.array(data.draw(st.tuples(st.integers(-40, 40), st.integers(-40, 40)))) / 7
+        moved = data.draw(st.sets(st.sampled_from(range(len(new))))) if new else set()
+        new = [
+            curve.with_points(range(len(curve.control_points)), curve.control_points + offset)
+            if place in moved
+            else curve
+            for place, curve in enumerate(new)
+        ]
+        assert tree.follow(new)
+    anew = ChordTree(new)
+    now, wanted = tree.chords(*WINDOW, tolerance), anew.chords(*WINDOW, tolerance)
+    # At the edge of the window or of the tolerance rounding may decide.
+    assert abs(len(now.lines) - len(wanted.lines)) <= 2
+    if now.lines.shape == wanted.lines.shape:
+        assert np.abs(now.lines - wanted.lines).max(initial=0.0) < 1e-9
+    assert np.abs(tree.sizes - anew.sizes).max(initial=0.0) < 1e-9
+
+
 def test_an_edit_of_a_long_curve_is_followed():
     rng = np.random.default_rng(1)
     curve = Curve(rng.normal(size=(1000, 2)).cumsum(axis=0), rng.choice([0.0, 1.0], 1000))

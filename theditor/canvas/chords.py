@@ -27,6 +27,8 @@ CUTS = (1, 2)
 """Numbers of chords in place of one segment for which that is measured."""
 BLOCK = 8192
 """So many segments are measured at a time, as their numbers stay in the processor's cache."""
+MOST_SHIFTS = 1000
+"""So many times a tree is moved with its curves, each time rounded, before it is made anew."""
 MIXED = -1
 """The mode of a run of segments that have different ones."""
 
@@ -68,8 +70,9 @@ class ChordTree:
         self._owner = np.repeat(np.arange(len(curves)), counts)
         total = int(self._begins[-1])
         self._forms = np.empty((total, 10))  # what belongs to one segment lies together
-        for curve, begin, end in zip(curves, self._begins, self._begins[1:], strict=False):
-            _put(self._forms[begin:end].T, slice(None), _rows(curve.joint_form))
+        if curves:
+            forms = zip(*(curve.joint_form for curve in curves), strict=True)
+            _put(self._forms.T, slice(None), _rows(np.concatenate(part, axis=-1) for part in forms))
         self._turning, self._speeds = np.empty((2, total))
         self._strays = np.empty((len(CUTS), total))
         self._ends = np.empty((4, total))
@@ -78,6 +81,7 @@ class ChordTree:
         blank = np.empty((2, total))
         self._levels = [Level(blank, blank.copy(), np.empty(total), codes, every, every, every, every)]
         self._parents: list[Ints] = []
+        self._shifts = 0
         self._measure(every)
         while len(self._levels[-1].first) > len(curves):
             counts = (counts + 1) // 2
@@ -98,8 +102,13 @@ class ChordTree:
         if len(curves) != len(self._curves):
             return False
         rows, patches, count = [], [], 0
+        offsets = np.zeros((2, len(curves)))
         for place, (old, new) in enumerate(zip(self._curves, curves, strict=True)):
             if old is not new:
+                offset = _offset(old, new)
+                if offset is not None:
+                    offsets[:, place] = offset
+                    continue
                 segments = changed_segments(old, new)
                 if segments is None:
                     return False
@@ -108,6 +117,8 @@ class ChordTree:
                     return False
                 rows.append(segments + self._begins[place])
                 patches.append((new, segments))
+        if offsets.any() and not self._shift(offsets):
+            return False
         changed = np.concatenate([np.empty(0, dtype=np.intp), *rows])
         for where, (curve, segments) in zip(rows, patches, strict=True):
             _put(self._forms.T, where, _rows(joints.take_segments(curve, segments)))
@@ -118,6 +129,20 @@ class ChordTree:
         for below, parents in enumerate(self._parents):
             nodes = distinct(parents[nodes])
             self._combine(below, nodes)
+        return True
+
+    def _shift(self, offsets: Floats) -> bool:
+        """Move the curves by some offsets, (2, curves); returns False where rounding might add up to something."""
+        self._shifts += 1
+        if self._shifts > MOST_SHIFTS:
+            return False
+        for level in self._levels:
+            own = offsets.take(self._owner[level.first], axis=1)
+            for corner in (level.low, level.high):
+                corner += own
+        own = offsets.take(self._owner, axis=1)
+        self._ends += np.concatenate((own, own))
+        self._forms[:, :4] += np.concatenate((own, own)).T
         return True
 
     def _measure(self, rows: Ints) -> None:
@@ -357,9 +382,32 @@ class ChordTree:
         return steps
 
 
-def _rows(parts: joints.Segments) -> Iterator[Floats]:
+def _offset(old: Curve, new: Curve) -> Floats | None:
+    """By how much a whole curve has been moved, (2,); None if anything else has happened to it."""
+    one, other = old.control_points, new.control_points
+    if old.lambdas is not new.lambdas or one.shape != other.shape or one is other:
+        return None
+    if (old.degree, old.closed, old.ends) != (new.degree, new.closed, new.ends):
+        return None
+    offset: Floats = other[0] - one[0]
+    if (
+        not offset.any()
+        or not _near(other[-1:] - one[-1:], offset, one)
+        or not _near(other - one, offset, one)
+    ):
+        return None
+    return offset
+
+
+def _near(offsets: Floats, offset: Floats, points: Floats) -> bool:
+    """Whether offsets, (k, 2), differ from one by rounding only, of points moved by them."""
+    rounding = 4 * np.finfo(np.float64).eps * (np.abs(points).max() + np.abs(offset).max())
+    return bool(np.abs(offsets - offset).max() <= rounding)
+
+
+def _rows(parts: Iterable[Floats]) -> list[Floats]:
     """The coordinates of all parts of segments, one after the other, (k,) each."""
-    return (row for part in parts for row in np.atleast_2d(part))
+    return [row for part in parts for row in np.atleast_2d(part)]
 
 
 def _put(rows: Floats, places: Ints | slice, values: Iterable[Floats]) -> None:

@@ -36,6 +36,7 @@ class Selection(QObject):
         self._chosen: dict[int, Ints] = {}
         self._segments: frozenset[int] = frozenset()
         self._points: frozenset[int] | None = None
+        self._movable: tuple[Drawing, dict[int, Ints], dict[int, Ints]] | None = None
         self._start_anew()
         document.changed.connect(self._follow)
         document.started.connect(self._start_anew)
@@ -85,7 +86,12 @@ class Selection(QObject):
     @property
     def movable(self) -> dict[int, Ints]:
         """As `across`, of the curves that may be edited on the canvas: visible and not locked."""
-        return {i: points for i, points in self.across.items() if _is_open(self._document.drawing[i])}
+        drawing = self._document.drawing
+        if self._movable is None or self._movable[0] is not drawing or self._movable[1] is not self._chosen:
+            # Every command that needs points asks for them, after each change.
+            movable = {i: points for i, points in self.across.items() if _is_open(drawing[i])}
+            self._movable = drawing, self._chosen, movable
+        return dict(self._movable[2])
 
     @property
     def in_hand(self) -> dict[int, Ints]:
