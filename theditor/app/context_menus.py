@@ -35,7 +35,7 @@ class ContextMenus(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Pop up the menu in place of what the widget would do."""
-        if event.type() != QEvent.Type.ContextMenu or not isinstance(event, QContextMenuEvent):
+        if not isinstance(event, QContextMenuEvent):
             return False
         at = event.globalPos()
         if watched in self._places:

@@ -88,7 +88,7 @@ class Coordinates(QFrame):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Enter and Escape go back to the canvas, Tab to the other field."""
-        if event.type() != QEvent.Type.KeyPress or not isinstance(event, QKeyEvent):
+        if not isinstance(event, QKeyEvent) or event.type() != QEvent.Type.KeyPress:
             return False
         keys = Qt.Key
         if event.key() in (keys.Key_Tab, keys.Key_Backtab):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cache
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPixmap
@@ -29,19 +30,26 @@ def icon(name: str, palette: QPalette, ratios: Iterable[float]) -> QIcon:
     FileNotFoundError
         If there is no such drawing.
     """
-    group, role = QPalette.ColorGroup, QPalette.ColorRole
-    renderer = QSvgRenderer(str(resource(f"icons/{name}.svg")))
+    group, role, mode, state = QPalette.ColorGroup, QPalette.ColorRole, QIcon.Mode, QIcon.State
+    renderer = QSvgRenderer(f"{_folder()}/{name}.svg")
+    if not renderer.isValid():
+        raise FileNotFoundError(f"there is no icon {name!r}")
     result = QIcon()
     for ratio in ratios:
         drawn = _drawn(renderer, ratio)
-        for mode, state, colour in (
-            (QIcon.Mode.Normal, QIcon.State.Off, palette.color(group.Active, role.ButtonText)),
-            (QIcon.Mode.Normal, QIcon.State.On, palette.color(group.Active, role.HighlightedText)),
-            (QIcon.Mode.Disabled, QIcon.State.Off, palette.color(group.Disabled, role.ButtonText)),
-            (QIcon.Mode.Disabled, QIcon.State.On, palette.color(group.Disabled, role.ButtonText)),
-        ):
-            result.addPixmap(_tinted(drawn, colour), mode, state)
+        result.addPixmap(_tinted(drawn, palette.color(group.Active, role.ButtonText)), mode.Normal, state.Off)
+        result.addPixmap(
+            _tinted(drawn, palette.color(group.Active, role.HighlightedText)), mode.Normal, state.On
+        )
+        faded = _tinted(drawn, palette.color(group.Disabled, role.ButtonText))
+        result.addPixmap(faded, mode.Disabled, state.Off)
+        result.addPixmap(faded, mode.Disabled, state.On)
     return result
+
+
+@cache
+def _folder() -> str:
+    return str(resource("icons"))
 
 
 def _drawn(renderer: QSvgRenderer, ratio: float) -> QPixmap:

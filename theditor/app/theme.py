@@ -143,6 +143,8 @@ QLineEdit, QAbstractSpinBox, QComboBox {
 }
 QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border-color: $accent; }
 QLineEdit:disabled, QAbstractSpinBox:disabled, QComboBox:disabled { color: $faded; background: $panel; }
+/* Qt gives the text no room unless the missing buttons have a width. */
+NumberField::up-button, NumberField::down-button { width: 0; subcontrol-origin: border; }
 QComboBox::drop-down { border: none; width: 24px; }
 QComboBox::down-arrow { image: url($icons/chevron.svg); width: 12px; height: 12px; }
 QComboBox QAbstractItemView {

@@ -39,7 +39,7 @@ class _NameField(QLineEdit):
 
     def event(self, event: QEvent) -> bool:
         """Claim undo and redo only for what was typed here."""
-        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
             keys = QKeySequence.StandardKey
             if not self.isModified() and (event.matches(keys.Undo) or event.matches(keys.Redo)):
                 event.ignore()

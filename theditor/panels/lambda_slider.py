@@ -161,9 +161,9 @@ class LambdaSlider(QWidget):
     def event(self, event: QEvent) -> bool:
         """Keep Escape for the drag while there is one."""
         if (
-            event.type() == QEvent.Type.ShortcutOverride
+            isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.ShortcutOverride
             and self._drag is not None
-            and isinstance(event, QKeyEvent)
             and event.key() == Qt.Key.Key_Escape
         ):
             event.accept()

@@ -49,8 +49,6 @@ class NumberField(QDoubleSpinBox):
         self.setRange(minimum, maximum)
         self.setKeyboardTracking(False)
         self.setButtonSymbols(QAbstractSpinBox.ButtonSymbols.NoButtons)
-        # Under a style sheet, Qt gives the text no room unless the missing buttons have a width.
-        self.setStyleSheet("::up-button, ::down-button { width: 0; subcontrol-origin: border; }")
         self.lineEdit().setTextMargins(_INSET, 0, _INSET, 0)
         self.setFont(tabular(self.font()))
         self._show_text()
@@ -139,7 +137,7 @@ class NumberField(QDoubleSpinBox):
 
     def event(self, event: QEvent) -> bool:
         """Leave undo and redo to the document while nothing is being typed."""
-        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
             keys = QKeySequence.StandardKey
             if self._text() == self._shown and (event.matches(keys.Undo) or event.matches(keys.Redo)):
                 event.ignore()
