@@ -2,7 +2,7 @@
 
 import pytest
 from hand import Hand
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QEvent, QSettings
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from theditor.app.main_window import MainWindow
@@ -30,6 +30,8 @@ def window(qtbot, monkeypatch):
         window.show()
     window.canvas.fit()
     yield window
+    # Closed by now, it is to go before the style that it was painted in.
+    app.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     app.setPalette(app.style().standardPalette())
     app.setStyleSheet("")
 
