@@ -37,30 +37,37 @@ class Grip(QWidget):
         painter.end()
 
 
-def scrolling_column(panels: Iterable[QWidget], stretching: QWidget, dock: QWidget) -> QScrollArea:
-    """Panels one above the other with rules between them; `stretching` takes what room is left.
+class Column(QScrollArea):
+    """Panels one above the other with rules between them, which scroll if they are too high.
 
-    Everything is put in its place in the dock before it is measured: Qt would style it anew in another place.
+    They are to be made in their `place`: Qt would style anew what comes from elsewhere.
     """
-    scroll = QScrollArea(dock)
-    column = QWidget(scroll)
-    stack = QVBoxLayout(column)
-    stack.setContentsMargins(0, 0, 0, 0)
-    stack.setSpacing(0)
-    for panel in panels:
-        if stack.count():
-            rule = QFrame()
-            rule.setProperty("role", "rule")
-            stack.addWidget(rule)
-        stack.addWidget(panel, stretch=1 if panel is stretching else 0)
-    scroll.setWidgetResizable(True)
-    scroll.setFrameShape(QFrame.Shape.NoFrame)
-    scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-    scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    scroll.setWidget(column)
-    bar = scroll.verticalScrollBar().sizeHint().width()
-    scroll.setMinimumWidth(column.minimumSizeHint().width() + bar)
-    return scroll
+
+    def __init__(self, dock: QWidget) -> None:
+        super().__init__(dock)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.place = QWidget()
+        self.setWidget(self.place)
+
+    def stack(self, panels: Iterable[QWidget], stretching: QWidget) -> None:
+        """Put panels one above the other; `stretching` takes what room is left."""
+        layout = QVBoxLayout(self.place)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        for panel in panels:
+            if layout.count():
+                rule = QFrame(self.place)
+                rule.setProperty("role", "rule")
+                layout.addWidget(rule)
+            layout.addWidget(panel, stretch=1 if panel is stretching else 0)
+
+    def minimumSizeHint(self) -> QSize:
+        """Wide enough for the panels, so that only their height scrolls."""
+        bar = self.verticalScrollBar().sizeHint().width()
+        return QSize(self.place.minimumSizeHint().width() + bar, super().minimumSizeHint().height())
 
 
 class Dock(QDockWidget):
@@ -70,7 +77,7 @@ class Dock(QDockWidget):
     rest while it cannot.
     """
 
-    def __init__(self, title: str, name: str, make: Callable[[QWidget], QWidget], parent: QWidget) -> None:
+    def __init__(self, title: str, name: str, make: Callable[[], QWidget], parent: QWidget) -> None:
         super().__init__(title, parent)
         self.setObjectName(name)
         self.setTitleBarWidget(Grip(self))
@@ -79,7 +86,7 @@ class Dock(QDockWidget):
 
     def _show_panel(self, seen: bool) -> None:
         if seen and self.widget() is None:
-            panel = self._make(self)
+            panel = self._make()
             policy = panel.sizePolicy()
             policy.setRetainSizeWhenHidden(True)  # or the docks would change their sizes with every tab
             panel.setSizePolicy(policy)
@@ -89,7 +96,7 @@ class Dock(QDockWidget):
 
 
 def add_dock(
-    window: QMainWindow, title: str, name: str, make: Callable[[QWidget], QWidget], area: Qt.DockWidgetArea
+    window: QMainWindow, title: str, name: str, make: Callable[[], QWidget], area: Qt.DockWidgetArea
 ) -> QDockWidget:
     """Make a dock at an edge of the window for a panel, as a further tab if there is a dock already."""
     dock = Dock(title, name, make, window)

@@ -11,6 +11,7 @@ from PySide6.QtCore import QEvent, QPoint, QSettings, QSize, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import (
     QApplication,
+    QDockWidget,
     QLabel,
     QMainWindow,
     QTabWidget,
@@ -22,7 +23,7 @@ from theditor.app.actions import commands
 from theditor.app.clipboard import Clipboard
 from theditor.app.context_menus import ContextMenus
 from theditor.app.coordinates import Coordinates
-from theditor.app.docks import add_dock, scrolling_column
+from theditor.app.docks import Column, add_dock
 from theditor.app.dropping import Dropping
 from theditor.app.files import Files
 from theditor.app.menus import build_menus, tint_icons
@@ -76,8 +77,9 @@ class MainWindow(QMainWindow):
         self.work = Work(self)
         WorkCard(self.work, self.canvas)
         self.clipboard = Clipboard(self)
-        self._build_panels()
+        properties = self._build_docks()
         self.coordinates = Coordinates(self)
+        self._build_panels(properties)
         self._tinted = (0, 0)
         self.commands = commands(self)
         self.actions_by_name = build_menus(self)
@@ -94,7 +96,8 @@ class MainWindow(QMainWindow):
 
     # Putting the window together
 
-    def _build_panels(self) -> None:
+    def _build_docks(self) -> QDockWidget:
+        """Put the canvas in the middle and docks around it; returns the one for the properties."""
         centre = QWidget()
         layout = QVBoxLayout(centre)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -104,26 +107,12 @@ class MainWindow(QMainWindow):
         layout.addWidget(self.canvas, stretch=1)
         self.setCentralWidget(centre)
 
-        model = self.document, self.selection
-        self.curves, self.curve = CurvesPanel(*model), CurvePanel(*model)
-        self.shape, self.segments, self.segment = (
-            ShapePanel(*model),
-            SegmentsPanel(*model),
-            SegmentPanel(*model),
-        )
-        self.lambda_strip = LambdaStrip(*model)
-        self.curves.add_requested.connect(self.add_curve)
-        self.curves.recolour_requested.connect(self.curve.choose_colour)
-        column = (self.curves, self.curve, self.shape, self.segments, self.segment)
-
         right, bottom = Qt.DockWidgetArea.RightDockWidgetArea, Qt.DockWidgetArea.BottomDockWidgetArea
         self.setCorner(Qt.Corner.BottomRightCorner, right)
         self.setTabPosition(bottom, QTabWidget.TabPosition.North)
-        properties = add_dock(
-            self, "Properties", "properties", partial(scrolling_column, column, self.segments), right
-        )
+        properties = add_dock(self, "Properties", "properties", lambda: self._column, right)
         tabs = [
-            add_dock(self, title, name, partial(self._panel, name), bottom)
+            add_dock(self, title, name, partial(getattr, self, name), bottom)
             for title, name in (
                 ("λ strip", "lambda_strip"),
                 ("Points", "points"),
@@ -136,11 +125,18 @@ class MainWindow(QMainWindow):
         tabs[0].raise_()
         self.resizeDocks([properties], [COLUMN_WIDTH], Qt.Orientation.Horizontal)
         self.resizeDocks(tabs[:1], [196], Qt.Orientation.Vertical)
+        return properties
 
-    def _panel(self, name: str, dock: QWidget) -> QWidget:
-        """The panel for a dock that is seen for the first time."""
-        panel: QWidget = getattr(self, name)
-        return panel
+    def _build_panels(self, properties: QDockWidget) -> None:
+        self._column = Column(properties)
+        model, place = (self.document, self.selection), self._column.place
+        self.curves, self.curve = CurvesPanel(*model, place), CurvePanel(*model, place)
+        self.shape, self.segments = ShapePanel(*model, place), SegmentsPanel(*model, place)
+        self.segment = SegmentPanel(*model, place)
+        self._column.stack((self.curves, self.curve, self.shape, self.segments, self.segment), self.segments)
+        self.lambda_strip = LambdaStrip(*model)
+        self.curves.add_requested.connect(self.add_curve)
+        self.curves.recolour_requested.connect(self.curve.choose_colour)
 
     def _build_status_line(self) -> None:
         bar = self.statusBar()
