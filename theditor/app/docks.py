@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QShowEvent
 from PySide6.QtWidgets import QDockWidget, QFrame, QMainWindow, QScrollArea, QVBoxLayout, QWidget
 
 from theditor.model import colours_for
@@ -63,6 +63,11 @@ class Column(QScrollArea):
                 rule.setProperty("role", "rule")
                 layout.addWidget(rule)
             layout.addWidget(panel, stretch=1 if panel is stretching else 0)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Let nothing be painted that the panels hide."""
+        super().showEvent(event)
+        self.place.setAutoFillBackground(True)
 
     def minimumSizeHint(self) -> QSize:
         """Wide enough for the panels, so that only their height scrolls."""

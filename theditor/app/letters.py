@@ -43,5 +43,5 @@ def lettered(
 
     bare = [i for i, text in enumerate(texts) if "&" not in text or not mark(i, [text.index("&")])]
     for i in bare:
-        mark(i, [found.start() for kind in (_INITIAL, _LETTER) for found in kind.finditer(result[i])])
+        mark(i, (found.start() for kind in (_INITIAL, _LETTER) for found in kind.finditer(result[i])))
     return result

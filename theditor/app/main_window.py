@@ -240,8 +240,9 @@ class MainWindow(QMainWindow):
             action.setIconText(verb)
             keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
             action.setToolTip(f"{verb} {text}".rstrip() + f" ({keys})")
+        can = {enabled: enabled(self) for enabled in {command.enabled for command in self.commands}}
         for command in self.commands:
-            self.actions_by_name[command.name].setEnabled(command.enabled(self))
+            self.actions_by_name[command.name].setEnabled(can[command.enabled])
 
     def announce(self, text: str) -> None:
         """Say something in the status line, until some seconds pass or the pointer finds something later on.

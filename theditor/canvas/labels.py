@@ -37,22 +37,25 @@ def place(handles: Floats, sizes: Floats, obstacles: Floats, clearance: float = 
     list
         The centre of each label, None where there is no room.
     """
-    taken = np.empty((0, 4))
-    result: list[Floats | None] = []
-    outward = _outward(handles)
+    half = sizes[:, None] / 2
+    order = np.argsort(-(_outward(handles) @ DIRECTIONS.T), axis=1, kind="stable")
+    directions = DIRECTIONS[order]  # (n, 8, 2), of each handle the best first
+    reach = clearance + (np.abs(directions) * half).sum(axis=2, keepdims=True)
+    centres = handles[:, None] + directions * reach
+    low, high = centres - half, centres + half
+    hiding = _contain(low - 2, high + 2, obstacles)
     around = np.hstack([handles - 6.0, handles + 6.0])
-    for i, handle in enumerate(handles):
-        half = sizes[i] / 2
-        order = np.argsort(-(DIRECTIONS @ outward[i]), kind="stable")
-        reach = clearance + np.abs(DIRECTIONS[order]) @ half
-        centres = handle + DIRECTIONS[order] * reach[:, None]
-        others = np.vstack([np.delete(around, i, axis=0), taken])
-        free = centres[~_meet(centres - half, centres + half, others)]
-        clear = free[~_contain(free - half - 2, free + half + 2, obstacles)]
-        chosen = next(iter(clear if len(clear) else free), None)
-        result.append(chosen)
-        if chosen is not None:
-            taken = np.vstack([taken, np.hstack([chosen - half, chosen + half])])
+    taken: list[Floats] = []
+    result: list[Floats | None] = []
+    for i in range(len(handles)):
+        others = np.vstack([np.delete(around, i, axis=0), *taken])
+        rank = np.where(_meet(low[i], high[i], others), 2, hiding[i])
+        best = int(rank.argmin())
+        if rank[best] == 2:
+            result.append(None)
+        else:
+            result.append(centres[i, best])
+            taken.append(np.concatenate([low[i, best], high[i, best]]))
     return result
 
 
@@ -72,17 +75,16 @@ def _unit(vectors: Floats) -> Floats:
 
 
 def _meet(low: Floats, high: Floats, boxes: Floats) -> NDArray[np.bool_]:
-    """Which of some boxes meet one of others."""
-    both = (boxes[:, :2] < high[:, None]) & (boxes[:, 2:] > low[:, None])
-    found: NDArray[np.bool_] = np.any(np.all(both, axis=2), axis=1)
+    """Which of some boxes (..., 2) meet one of others (n, 4)."""
+    left, top, right, bottom = boxes.T
+    (x, y), (x_end, y_end) = np.moveaxis(low, -1, 0)[..., None], np.moveaxis(high, -1, 0)[..., None]
+    found: NDArray[np.bool_] = np.any((left < x_end) & (right > x) & (top < y_end) & (bottom > y), axis=-1)
     return found
 
 
 def _contain(low: Floats, high: Floats, points: Floats) -> NDArray[np.bool_]:
-    """Which of some boxes contain a point."""
-    both = (points > low[:, None]) & (points < high[:, None])
-    found: NDArray[np.bool_] = np.any(np.all(both, axis=2), axis=1)
-    return found
+    """Which of some boxes (..., 2) contain one of some points (n, 2)."""
+    return _meet(low, high, np.hstack([points, points]))
 
 
 def paint_labels(

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -130,13 +129,11 @@ def placed_labels(
     return result
 
 
-@dataclass
 class ScaleDrag:
     """A drag along the scale, followed pixel by pixel from the place where it began."""
 
-    degree: int
-    length: float
-    place: float
+    def __init__(self, degree: int, length: float, place: float) -> None:
+        self.degree, self.length, self.place = degree, length, place
 
     def move(self, pixels: float, *, fine: bool = False, free: bool = False) -> float:
         """Return λ after the pointer went on by `pixels`.
