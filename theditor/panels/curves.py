@@ -47,7 +47,7 @@ class CurvesPanel(QWidget):
         self.delete_button = _button("Delete", "Delete curve", "")
 
         layout = column(self)
-        layout.setContentsMargins(0, 12, 0, 12)
+        layout.setContentsMargins(0, 12, 0, 9)
         title = heading("Curves")
         title.setContentsMargins(16, 0, 16, 0)
         layout.addWidget(title)

@@ -13,7 +13,7 @@ GAP = 8
 def column(panel: QWidget) -> QVBoxLayout:
     """Give a panel its vertical layout."""
     layout = QVBoxLayout(panel)
-    layout.setContentsMargins(MARGIN, 12, MARGIN, 12)
+    layout.setContentsMargins(MARGIN, 12, MARGIN, 9)
     layout.setSpacing(GAP)
     return layout
 

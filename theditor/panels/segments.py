@@ -36,7 +36,7 @@ class SegmentsPanel(QWidget):
         self.model.modelReset.connect(self._start_anew)
         describe(self.list, "Segments", _TIP)
         layout = column(self)
-        layout.setContentsMargins(0, 12, 0, 12)
+        layout.setContentsMargins(0, 12, 0, 9)
         title = heading("Segments")
         title.setContentsMargins(16, 0, 16, 0)
         layout.addWidget(title)
