@@ -107,3 +107,11 @@ def test_the_freehand_tool_stays_as_near_as_chosen_and_no_nearer(window, ask, qt
         misses.append(float(window.announced.partition("at most ")[2].partition(" px")[0]))
         window.document.undo()
     assert misses[0] <= 0.5 < misses[1] <= 10.0
+
+
+def test_a_curve_is_added_with_the_degree_that_is_preferred(window, ask, qtbot):
+    dialog = ask()
+    choose(qtbot, dialog.degree, "Quadratic · C¹")
+    dialog.reject()
+    window.actions_by_name["add"].trigger()
+    assert window.document.drawing[-1].curve.degree == 2

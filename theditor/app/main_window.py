@@ -35,6 +35,7 @@ from theditor.app.windows import open_windows, same_file
 from theditor.app.work import Work
 from theditor.app.work_card import WorkCard
 from theditor.canvas import Canvas, Pointed
+from theditor.canvas.pen import preferred_degree
 from theditor.drawing import Item
 from theditor.model import Document, Selection
 from theditor.model.recovery import Recovery
@@ -314,14 +315,14 @@ class MainWindow(QMainWindow):
             self.segments.set_mode(mode)
 
     def add_curve(self) -> None:
-        """Add a clamped cubic in the middle of the view, to be dragged into shape, and make it current."""
+        """Add a clamped curve in the middle of the view, to be dragged into shape, and make it current."""
         plane, drawing = self.canvas.plane, self.document.drawing
         reach = 0.3 * min(plane.width, plane.height) / plane.scale
         shape = [(-1.2, -0.5), (-0.7, 0.6), (0.0, -0.3), (0.7, 0.6), (1.2, -0.5)]
         points = (np.array(shape) * reach + (plane.x, plane.y)).clip(-MAX_COORDINATE, MAX_COORDINATE)
         names = {item.name for item in drawing}
         number = next(n for n in range(1, len(drawing) + 2) if f"Curve {n}" not in names)
-        item = Item(Curve(points, ends="clamped"), name=f"Curve {number}")
+        item = Item(Curve(points, degree=preferred_degree(), ends="clamped"), name=f"Curve {number}")
         self.document.apply("Add curve", drawing.inserted(len(drawing), item))
         self.selection.select(curve=len(drawing))
 

@@ -33,7 +33,7 @@ class Preferences(QDialog):
         describe(self.nudge, "Nudge step", "Units by which an arrow key moves the selected control points")
         self.nudge.show_value(preferred_step())
         self.degree = _choice({"Cubic · C²": 3, "Quadratic · C¹": 2})
-        describe(self.degree, "Degree of new curves", "Degree of the curves that the pen draws")
+        describe(self.degree, "Degree of new curves", "Degree of the curves that are added or drawn")
         self.degree.setCurrentIndex(self.degree.findData(preferred_degree()))
         self.tolerance = NumberField(0.1, 100.0)
         describe(
