@@ -138,6 +138,30 @@ def test_the_preview_shows_what_is_asked_for(window, dialog):
     assert dialog.preview.text().startswith("x,y,u\n0.0,0.0,0.0\n")
 
 
+def test_what_is_selected_can_be_exported_alone(window, qtbot, chosen, tmp_path):
+    drawing = window.document.drawing
+    for k in range(1, 4):
+        item = drawing[0].with_(name=f"Curve {k}", visible=k != 3)
+        window.document.apply("Add", window.document.drawing.inserted(k, item))
+    window.selection.select_across({1: [], 2: [], 3: []}, curve=2)
+    dialog = opened(window, qtbot)
+    assert dialog.curves.isVisible()
+    assert [dialog.curves.itemText(k) for k in range(2)] == ["All", "The 2 selected"]
+    dialog.curves.setCurrentIndex(1)
+    dialog.format.setCurrentIndex(dialog.format.findData(".svg"))
+    chosen(tmp_path / "some.svg")
+    dialog.button.click()
+    qtbot.waitUntil(lambda: not window.work.jobs)
+    data = (tmp_path / "some.svg").read_bytes()
+    assert [item.name for item in extract(data).drawing] == ["Curve 1", "Curve 2", "Curve 3"]
+    assert data.count(b"<path") == 2
+
+
+def test_one_curve_leaves_nothing_to_choose_from(dialog):
+    assert not dialog.curves.isVisible()
+    assert len(dialog.drawing) == 1
+
+
 def test_print_style_ticks_what_it_draws_and_gives_back_what_was_ticked(dialog):
     def ticked():
         return {part for part, box in dialog.parts.items() if box.isChecked()}

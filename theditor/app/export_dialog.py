@@ -23,7 +23,7 @@ from theditor.app.problem_line import ProblemLine
 from theditor.drawing import Drawing
 from theditor.exchange import FORMATS, PARTS, Options, writable
 from theditor.exchange.options import PAGE, PIXELS
-from theditor.exchange.scene import PRINTED
+from theditor.exchange.scene import PRINTED, visible
 from theditor.panels.live_inputs import LiveField
 from theditor.panels.parts import GAP, MARGIN, ComboBox, Paragraph, describe, row
 
@@ -94,13 +94,21 @@ class ExportDialog(QDialog):
         The format to begin with.
     kept
         Returns the options to begin with in a format.
+    selected
+        What can be exported instead.
     """
 
     wanted = Signal()
     """The user asks for the file: `suffix` and `options` say how."""
 
     def __init__(
-        self, drawing: Drawing, suffix: str, kept: Callable[[str], Options], parent: QWidget
+        self,
+        drawing: Drawing,
+        suffix: str,
+        kept: Callable[[str], Options],
+        parent: QWidget,
+        *,
+        selected: Drawing,
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle("Export")
@@ -109,6 +117,7 @@ class ExportDialog(QDialog):
         self._chosen: dict[str, Options] = {}
         self._suffix = ""
         self._show: frozenset[str] = frozenset()  # what of the parts was ticked by hand
+        self._drawing, self._selected = drawing, selected
         self._make_fields()
         self.preview = ExportPreview(drawing)
         self.sentence = ProblemLine(2)
@@ -140,6 +149,11 @@ class ExportDialog(QDialog):
         """The format that is chosen."""
         return str(self.format.currentData())
 
+    @property
+    def drawing(self) -> Drawing:
+        """What is to be exported."""
+        return self._selected if self.curves.currentData() else self._drawing
+
     def options(self) -> Options:
         """Return what the fields say; a `ValueError` says in a sentence why that cannot be."""
         size = self.measure.currentData()
@@ -166,6 +180,11 @@ class ExportDialog(QDialog):
         for suffix in writable():
             self.format.addItem(f"{FORMATS[suffix].name} ({suffix})", suffix)
         self.about = Paragraph()
+        self.curves = ComboBox()
+        describe(self.curves, "Curves", "Which curves are exported; hidden ones are left out")
+        count = len(visible(self._selected))
+        self.curves.addItem("All", False)
+        self.curves.addItem(f"The {count} selected" if count > 1 else "The selected one", True)
         self.parts = {part: self._box(_WORDS[part], f"Show the {part}") for part in PARTS}
         self.print_style = self._box(
             "As in a pape&r: with polygon, points, labels",
@@ -197,6 +216,7 @@ class ExportDialog(QDialog):
         self._rows: dict[str, int] = {}
         self._row("format", "&Format", self.format)
         self._row("about", "", self.about)
+        self._row("curves", "Cur&ves", self.curves)
         self._row("show", "Show", row(*self.parts.values()))
         self._row("look", "", self.print_style)
         self._row("size", "&Size", row(self.measure, self.side))
@@ -208,6 +228,7 @@ class ExportDialog(QDialog):
         self._row("tolerance", "Tolera&nce, share of size", self.tolerance)
         self.measure.currentIndexChanged.connect(self._choose_size)
         self.sampling.currentIndexChanged.connect(self._show_rows)
+        self.curves.currentIndexChanged.connect(self._refresh)
 
     def _row(self, name: str, label: str | QLabel, field: Any) -> None:
         self._rows[name] = self._form.rowCount()
@@ -280,6 +301,8 @@ class ExportDialog(QDialog):
         """Show only what concerns the format."""
         by = self.sampling.currentData()
         shown = {"format", "about", *_ASKED[self._suffix].rows}
+        if 0 < len(visible(self._selected)) < len(visible(self._drawing)):
+            shown.add("curves")
         if "sampling" in shown:
             shown.discard("samples" if by == "tolerance" else "tolerance")
         self._steps.setText("&Steps for each curve" if by == "length" else "&Steps for each segment")
@@ -306,7 +329,7 @@ class ExportDialog(QDialog):
         self._show_parts()
         problem = ""
         try:
-            self.preview.show_outcome(self._suffix, self.options())
+            self.preview.show_outcome(self.drawing, self._suffix, self.options())
         except ValueError as error:
             problem = str(error)
         self.sentence.show_problem(problem)

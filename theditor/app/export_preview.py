@@ -29,9 +29,7 @@ class ExportPreview(QLabel):
 
     def __init__(self, drawing: Drawing, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._drawing = drawing
-        self._few = sum(item.curve.segment_count for item in visible(drawing)) <= MOST
-        *_, self._extent = box([projected(item.curve) for item in visible(drawing)]) if self._few else (1.0,)
+        self._take(drawing)
         self._asked: tuple[str, Options] | None = None
         self._timer = QTimer(self, singleShot=True, interval=0)
         self._timer.timeout.connect(self._draw)
@@ -42,10 +40,17 @@ class ExportPreview(QLabel):
         self.setProperty("role", "paper")
         self.setAccessibleName("Preview")
 
-    def show_outcome(self, suffix: str, options: Options) -> None:
-        """Show what these options make of the drawing."""
+    def show_outcome(self, drawing: Drawing, suffix: str, options: Options) -> None:
+        """Show what these options make of a drawing."""
+        if drawing is not self._drawing:
+            self._take(drawing)
         self._asked = suffix, options
         self._timer.start()
+
+    def _take(self, drawing: Drawing) -> None:
+        self._drawing = drawing
+        self._few = sum(item.curve.segment_count for item in visible(drawing)) <= MOST
+        *_, self._extent = box([projected(item.curve) for item in visible(drawing)]) if self._few else (1.0,)
 
     def _draw(self) -> None:
         assert self._asked is not None

@@ -18,21 +18,24 @@ if TYPE_CHECKING:
 
 
 def ask_to_export(window: MainWindow) -> None:
-    """Ask how and where to export the drawing as it is now, and do so."""
+    """Ask how and where to export the drawing as it is now, or what is selected of it, and do so."""
     window.document.settle()
     drawing = window.document.drawing
     last = str(QSettings().value("export/format", ".svg"))
-    dialog = ExportDialog(drawing, last, lambda suffix: kept_options("export", suffix), window)
+    selected = Drawing(drawing[i] for i in window.selection.curves)
+    dialog = ExportDialog(
+        drawing, last, lambda suffix: kept_options("export", suffix), window, selected=selected
+    )
 
     def go_on() -> None:
-        suffix, options = dialog.suffix, dialog.options()
+        chosen, suffix, options = dialog.drawing, dialog.suffix, dialog.options()
         path = ask.where_to_export(dialog, _suggested(window, suffix), suffix)
         if path is not None:
             dialog.accept()
             QSettings().setValue("export/format", suffix)
             keep_options(options, "export", suffix)
             keep_folder(path.parent, "export")
-            export(window, drawing, path, options)
+            export(window, chosen, path, options)
 
     dialog.wanted.connect(go_on)
     dialog.open()
