@@ -1,0 +1,65 @@
+"""What a start loads: what the first painted window needs, and nothing that can be loaded when it is asked for."""
+
+import os
+import subprocess
+import sys
+from importlib.util import find_spec
+
+# Tools, dialogs, formats and libraries: each of these also brings others with it.
+LATER = {
+    "theditor.app.clipboard_data",
+    "theditor.app.importing",
+    "theditor.app.insert_dialog",
+    "theditor.app.recover_dialog",
+    "theditor.canvas.freehand",
+    "theditor.canvas.pen",
+    "theditor.exchange",
+    "theditor.panels.continuity",
+    "theditor.panels.curvature",
+    "theditor.panels.points",
+    *("concurrent.futures", "difflib", "hashlib", "html", "secrets"),
+    *("ezdxf", "svgelements", "tqdm"),
+}
+
+START = """
+import sys
+from theditor.cli import main
+
+def paint_and_list():
+    app = QApplication.instance()
+    app.processEvents()
+    (window,) = (each for each in app.topLevelWidgets() if each.isVisible())
+    assert window.document.title == "Figure 10" and not window.canvas.viewport().visibleRegion().isEmpty()
+    print(*sys.modules)
+    sys.stdout.flush()
+    return 0
+
+class Finder:
+    # The program is to import Qt itself, when it comes to it.
+    def find_spec(self, name, path=None, target=None):
+        global QApplication
+        if name == "theditor.app.main":
+            sys.meta_path.remove(self)
+            from PySide6.QtWidgets import QApplication
+            QApplication.exec = staticmethod(paint_and_list)
+
+sys.meta_path.insert(0, Finder())
+sys.exit(main([]))
+"""
+
+
+def test_a_start_loads_only_what_the_first_window_needs(tmp_path):
+    folders = {name: str(tmp_path) for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME")}
+    run = subprocess.run(
+        [sys.executable, "-c", START],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        env={**os.environ, **folders},
+    )
+    assert run.returncode == 0, run.stderr
+    loaded = run.stdout.split()
+    assert all(find_spec(name) for name in LATER)
+    assert LATER.intersection(loaded) == set()
+    # Qt reads the source of whatever is loaded after it.
+    assert loaded.index("theditor.drawing") < loaded.index("PySide6") < loaded.index("pyqtgraph")
