@@ -50,13 +50,12 @@ def paint_column(
 ) -> None:
     """Draw a column `width` pixels wide, whose track starts at `top` and is `height` pixels high."""
     bottom = top + height
-    caption = caption_height(font)
     painter.setPen(Qt.PenStyle.NoPen)
     if column.selected or column.hovered:
         ground = QColor(colours.selection)
         ground.setAlphaF(1.0 if column.selected else 0.45)
         painter.setBrush(ground)
-        painter.drawRoundedRect(QRectF(2, top - 6, width - 4, height + caption + 8), 6, 6)
+        painter.drawRoundedRect(QRectF(2, top - 6, width - 4, height + caption_height(font) + 8), 6, 6)
     painter.setOpacity(1.0 if column.active else 0.35)
 
     middle = width / 2

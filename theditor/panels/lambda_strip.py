@@ -338,7 +338,7 @@ class LambdaStrip(QAbstractScrollArea):
         colours = colours_for(self.palette())
         painter.fillRect(event.rect(), colours.panel)
         if self._item is not None:
-            curve, width = self._item.curve, self._width()
+            curve, width, height = self._item.curve, self._width(), self.track_height
             first = max(0, self._column_at(event.rect().left()))
             last = min(self._count() - 1, self._column_at(event.rect().right()))
             for i in range(first, last + 1):
@@ -353,7 +353,7 @@ class LambdaStrip(QAbstractScrollArea):
                 )
                 painter.save()
                 painter.translate(self.column_left(i), 0)
-                paint_column(painter, column, width, self.track_top, self.track_height, self.font(), colours)
+                paint_column(painter, column, width, self.track_top, height, self.font(), colours)
                 painter.restore()
         painter.end()
 

@@ -147,11 +147,10 @@ def _lowest(pairs: bytes, degree: int) -> tuple[Floats, Floats]:
     valley[start <= high, :, 0] = False
     valley[end <= high, :, -1] = False
     row, node, function = np.nonzero(valley)
-    one, other = start[row], end[row]
+    one, other, each = start[row], end[row], np.arange(len(row))
 
     def of(t: Floats, nu: int) -> Floats:
-        every = basis(t, one, other, degree, nu)
-        chosen: Floats = np.take_along_axis(every, function[:, None], axis=1)[:, 0]
+        chosen: Floats = basis(t, one, other, degree, nu)[each, function]
         return chosen
 
     below, above = _NODES[np.maximum(node - 1, 0)], _NODES[np.minimum(node + 1, len(_NODES) - 1)]
