@@ -156,7 +156,7 @@ QPushButton, QToolButton {
 }
 QToolBar QToolButton { min-height: 18px; }
 QFileDialog QToolButton { padding: 3px; }
-* { dialogbuttonbox-buttons-have-icons: 0; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QPushButton:hover, QToolButton:hover { border-color: $secondary; }
 QPushButton:pressed, QToolButton:pressed { background: $selection; }
 QPushButton:focus, QToolButton:focus { border-color: $accent; }
