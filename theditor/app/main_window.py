@@ -35,7 +35,6 @@ from theditor.app.windows import open_windows, same_file
 from theditor.app.work import Work
 from theditor.app.work_card import WorkCard
 from theditor.canvas import Canvas, Pointed
-from theditor.canvas.pen import preferred_degree
 from theditor.drawing import Item
 from theditor.model import Document, Selection
 from theditor.model.recovery import Recovery
@@ -316,6 +315,8 @@ class MainWindow(QMainWindow):
 
     def add_curve(self) -> None:
         """Add a clamped curve in the middle of the view, to be dragged into shape, and make it current."""
+        from theditor.canvas.pen import preferred_degree  # loaded when it is first asked for
+
         plane, drawing = self.canvas.plane, self.document.drawing
         reach = 0.3 * min(plane.width, plane.height) / plane.scale
         shape = [(-1.2, -0.5), (-0.7, 0.6), (0.0, -0.3), (0.7, 0.6), (1.2, -0.5)]
