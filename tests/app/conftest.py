@@ -4,15 +4,18 @@ import pytest
 from hand import Hand
 from PySide6.QtCore import QEvent, QSettings
 from PySide6.QtWidgets import QApplication, QMessageBox
+from shiboken6 import isValid
 
 from theditor.app.main_window import MainWindow
 from theditor.app.theme import Theme, apply_theme
 
 
-def leave_unasked(window):
-    """Let a window with unsaved changes go without its question, which nobody would answer."""
-    window.document.settle()
-    window.document.undo_stack.setClean()
+def close_unasked(window):
+    """Close a window, if it is still open, without its question about unsaved changes, which nobody would answer."""
+    if isValid(window):
+        window.document.settle()
+        window.document.undo_stack.setClean()
+        window.close()
 
 
 @pytest.fixture
@@ -24,13 +27,13 @@ def window(qtbot, monkeypatch):
     QSettings().clear()  # nothing is left of other windows
     apply_theme(Theme.LIGHT)
     window = MainWindow()
-    qtbot.addWidget(window, before_close_func=leave_unasked)
     window.open_picture("figure-10")
     with qtbot.waitExposed(window):
         window.show()
     window.canvas.fit()
     yield window
-    # Closed by now, it is to go before the style that it was painted in.
+    close_unasked(window)
+    # It is to go before the style that it was painted in.
     app.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     app.setPalette(app.style().standardPalette())
     app.setStyleSheet("")

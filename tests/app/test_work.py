@@ -1,12 +1,15 @@
 """Long work beside the window: what comes of it is handed over in the window's own time, or called off."""
 
+import gc
 import threading
+import weakref
 
 import numpy as np
 import pytest
 from hand import Hand
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication, QMessageBox
+from shiboken6 import isValid
 
 from theditor.app.work import MOMENT
 from theditor.app.work_card import WorkCard
@@ -106,6 +109,26 @@ def test_closing_waits_for_what_goes_to_files(window, held):
     window.document.undo_stack.setClean()
     assert window.close()
     assert exporting.result is not None
+
+
+def test_a_closed_window_is_gone_with_its_drawing_and_work_may_outlive_it(window, held):
+    other = window.beside()
+    other.open_picture("figure-10")
+    Hand(other.canvas).drag(P5, (1.4, 2.0))
+    done = []
+    other.work.start("Importing sheep", held, done.append, bound=True)
+    thread, curve = other.work.jobs[0].task, weakref.ref(other.document.drawing[0].curve)
+    other.document.undo_stack.setClean()
+    assert other.close()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert not isValid(other)
+    del other
+    gc.collect()
+    assert curve() is None
+    held.let_go()
+    thread.join()
+    QApplication.processEvents()
+    assert done == []
 
 
 def test_errors_of_files_are_told_and_others_reported(window, qtbot):
@@ -288,8 +311,8 @@ def test_a_stroke_that_is_called_off_is_gone_and_one_under_way_is_asked_about(
     scribble(0.5)
     window.work.cancel(window.work.jobs[0])
     assert window.canvas._frame().sketch is None
-    assert window.close()
-    window.show()
+    assert window.may_discard()
+    assert asked == []
     scribble(1.0)
     threading.Timer(2 * MOMENT, held.let_go).start()
     assert not window.close()

@@ -27,6 +27,10 @@ MOMENT = 0.4
 _PAUSE = 50  # milliseconds between looks whether the hand has left the drawing
 
 
+_left: list[Job] = []
+"""Jobs of closed windows, which are gone, whose threads still run: Qt's objects must not end in one of these."""
+
+
 class CancelledError(Exception):
     """The work was called off: what the report of progress raises then, which ends it."""
 
@@ -135,6 +139,7 @@ class Work(QObject):
             if job.error is not None:
                 log.warning("%s: %s", job.words, job.error)
         self.changed.emit()
+        _left[:] = [job for job in (*_left, *self._jobs) if job.task.is_alive()]
 
     def settle(self) -> None:
         """Wait for what the drawing at hand is to get, a moment or, if it is precious, until it is there.
