@@ -47,7 +47,7 @@ def test_one_point_comes_to_the_middle_at_the_same_scale(window, qtbot):
     assert view(window) == pytest.approx((*window.document.drawing[0].curve.control_points[8], scale))
 
 
-def test_each_file_is_seen_again_as_it_was_left(window, forgetful, tmp_path):
+def test_each_file_is_seen_again_as_it_was_left(window, forgetful, tmp_path, qtbot):
     for name in ("a.json", "b.json"):
         window.document.save(tmp_path / name)
     window.open_path(tmp_path / "a.json")
@@ -58,10 +58,11 @@ def test_each_file_is_seen_again_as_it_was_left(window, forgetful, tmp_path):
     window.open_path(tmp_path / "a.json")
     assert view(window) == pytest.approx((1.5, 2.5, 200.0))
     window.canvas.fit()
+    again = window.beside()
+    qtbot.addWidget(again)
     window.close()
-    window.show()
-    window.open_path(tmp_path / "a.json")
-    assert view(window) == pytest.approx(fitted)
+    again.open_path(tmp_path / "a.json")
+    assert view(again) == pytest.approx(fitted)
 
 
 @pytest.mark.parametrize(
