@@ -29,7 +29,7 @@ from large import DRAWINGS, spiral
 from paired import fastest
 from PySide6.QtCore import QEvent, QPointF, QSettings, Qt
 from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 
 from theditor.app.main_window import MainWindow
 from theditor.app.theme import Theme, apply_theme
@@ -71,8 +71,10 @@ class Desk:
         return plane.x, plane.y
 
     def paint_anew(self):
+        """Paint all of the window, with nothing kept."""
         self.canvas.set_shown(grid=not self.canvas.shown.grid)
-        self.window.repaint()
+        for widget in self.window.findChildren(QWidget):
+            widget.update()
         self.frame()
 
     def move(self, pixel, button):
