@@ -250,7 +250,7 @@ class ChordTree:
         whole
             Whether no line may run over several segments.
         most
-            Give up, and return None, when there are to be more lines than this.
+            Give up, and return None, when there are to be more lines than about this.
         """
         barred = self._barred(without or {})
         first, last, codes, count = [], [], [], 0
@@ -272,7 +272,7 @@ class ChordTree:
                 codes.append(level.code[found])
                 nodes = nodes[~fits]
                 count += len(found)
-            if count + len(nodes) > most:
+            if count + len(nodes) * (2 if height else 1) > most:  # few of two children lie outside
                 return None
             nodes = level.below(nodes) if height else nodes
         steps = self._steps(nodes, tolerance)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,7 +34,7 @@ NIBBLES, PAIRS, ODD = (np.uint64(int(digits * 8, 16)) for digits in ("0f", "33",
 
 def spacing(width: float) -> float:
     """How far apart points may be so that a pen of a width, both in pixels, leaves no dents between them to see."""
-    return min(0.5 * width, 1.5)
+    return min(0.6 * width, 1.5)
 
 
 def paint_dense(
@@ -61,17 +62,24 @@ def paint_dense(
     columns, rows = math.ceil(wide * ratio - TINY), math.ceil(high * ratio - TINY)
     corner = viewport.to_points((left, top))
     covered = coverage(points, corner, viewport.scale * ratio, width * ratio, columns, rows)
-    shaded = _shades(colour).take(covered)
+    shaded = _shades(colour).take(covered.view(np.uint16)).view(np.uint32)
     image = QImage(shaded.data, columns, rows, shaded.strides[0], QImage.Format.Format_ARGB32_Premultiplied)
     image.setDevicePixelRatio(ratio)
     painter.drawImage(QPointF(left, top), image)
 
 
-def _shades(colour: str) -> NDArray[np.uint32]:
-    """What a pixel is, premultiplied, where a pen of that colour covers 0, 1, … of its bits."""
+@lru_cache(maxsize=16)
+def _shades(colour: str) -> NDArray[np.uint64]:
+    """What two pixels are side by side, premultiplied, of which a pen of that colour covers so and so many bits.
+
+    By one number for both, the right one's bits in the upper byte.
+    """
     pen, most = QColor(colour), FINE**2
     parts = np.outer(np.arange(most + 1) / most, (255, pen.red(), pen.green(), pen.blue()))
-    return np.round(parts).astype(np.uint32) @ np.array([1 << 24, 1 << 16, 1 << 8, 1], dtype=np.uint32)
+    one = np.round(parts).astype(np.uint64) @ np.array([1 << 24, 1 << 16, 1 << 8, 1], dtype=np.uint64)
+    both = np.zeros((most + 1, 256), dtype=np.uint64)
+    both[:, : most + 1] = one[:, None] << np.uint64(32) | one
+    return both.ravel()
 
 
 def coverage(
@@ -130,7 +138,7 @@ def _spread(bits: Bits, diameter: int, words: int) -> Bits:
     ):
         reach = math.sqrt(diameter**2 / 4 - (row + even / 2) ** 2)
         while wide + 2 <= (2 * math.floor(reach + 0.5) if even else 2 * math.floor(reach) + 1):
-            run, wide = _widened(run, spare), wide + 2
+            run, wide = _widened(run, spare, gaps=wide == 1), wide + 2
         if row < 0:
             result[: row * words] |= run[-row * words :]
         else:
@@ -138,13 +146,14 @@ def _spread(bits: Bits, diameter: int, words: int) -> Bits:
     return result
 
 
-def _widened(bits: Bits, spare: Bits) -> Bits:
-    """Set the bits to the left and to the right of each set one."""
+def _widened(bits: Bits, spare: Bits, *, gaps: bool) -> Bits:
+    """Set the bits to the left and to the right of each set one; lone ones would leave gaps in between."""
     result = bits << ONE
-    result |= bits
     result |= np.right_shift(bits, ONE, out=spare)
     result[1:] |= np.right_shift(bits[:-1], REST, out=spare[1:])
     result[:-1] |= np.left_shift(bits[1:], REST, out=spare[1:])
+    if gaps:
+        result |= bits
     return result
 
 
