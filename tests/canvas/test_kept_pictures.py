@@ -129,10 +129,11 @@ def other_theme(canvas):
 
 
 @pytest.mark.parametrize(
-    ("seed", "ratio", "dense"), [(1, 1.0, 0.08), (2, 2.0, 0.0), (4, 1.5, 0.08), (5, 1.0, 0.0)]
+    ("seed", "ratio", "dense"), [(1, 1.0, 0.1), (2, 2.0, 0.0), (4, 1.5, 0.1), (5, 1.0, 0.0)]
 )
 def test_no_frame_shows_what_was_before(canvas, seed, ratio, dense, monkeypatch):
     monkeypatch.setattr(curves, "DENSE", dense)
+    monkeypatch.setattr(curves, "MOST_LINES", 0)
     canvas.resize(480, 360)
     canvas.fit()
     kept = Layers(CurvesPainter())
@@ -231,6 +232,7 @@ def winding(count):
 def test_what_is_left_out_of_a_crowded_picture_cannot_be_seen(qapp, make, dense, monkeypatch):
     monkeypatch.setattr(curves, "CROWDED", 4000)
     monkeypatch.setattr(curves, "DENSE", dense)
+    monkeypatch.setattr(curves, "MOST_LINES", 0)
     curve = Curve(make(4500), ends="clamped")
     low, high = curve.control_points.min(axis=0), curve.control_points.max(axis=0)
     plane = Viewport(*((low + high) / 2).tolist(), 500.0 / float((high - low).max()), 520.0, 520.0)

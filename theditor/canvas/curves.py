@@ -35,8 +35,8 @@ CROWDED = 10_000
 """In a drawing of more segments than this, lines may run over several of them more freely."""
 CROWDED_TOLERANCE = 0.25
 """So many pixels they may then be away from the curve."""
-DENSE = 0.08
-"""Curves of more lines than this for each pixel are laid as points, which takes less time, …"""
+DENSE, MOST_LINES = 0.037, 25_000
+"""Curves of more lines than this for each pixel, and that in all, are laid as points, which takes less time, …"""
 MOST_INKS, MOST_POINTS = 8, 8
 """… unless they come in more colours and widths one over the other, or run to more points for each pixel."""
 MOST_KEPT = 300_000
@@ -162,7 +162,8 @@ class CurvesPainter:
             without=without,
         )
         inks = partial(self._inks, drawing, top, colours, by_mode=by_mode)
-        chords = lines_if(most=DENSE * room)
+        whole = ratio**2 * viewport.width * viewport.height
+        chords = lines_if(most=(DENSE + MOST_LINES / whole) * room)
         if chords is None:
             leaves = self._tree.leaves(low, high, without)
             laid = self._laid(leaves, inks(leaves.curves, leaves.codes), viewport.scale, ratio, room)

@@ -1,14 +1,15 @@
 """Ink that lies so dense that a line would be drawn for every few pixels: points laid into a finer picture of bits.
 
-Each pixel has 4 × 4 bits. Where a curve passes, a bit is set; then, 64 neighbours being one number, all bits
-within half the pen's width of a set one are set at once. How many of its bits are set is how much of a pixel is
-covered. So a picture costs its pixels, and for each further point a fraction of what a line takes.
+Each pixel has 4 × 4 bits, a smaller one of a fine screen 2 × 2. Where a curve passes, a bit is set; then, 64
+neighbours being one number, all bits within half the pen's width of a set one are set at once. How many of its
+bits are set is how much of a pixel is covered. So a picture costs its pixels, and for each further point a
+fraction of what a line takes.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
 import numpy as np
@@ -22,13 +23,16 @@ Floats = NDArray[np.float64]
 Bits = NDArray[np.uint64]
 Bytes = NDArray[np.uint8]
 
-FINE = 4
-"""Bits along each side of a pixel."""
 NARROWEST, WIDEST = 0.5, 8.0
-"""Widths in device pixels of the pens that are worth it: a finer one has too few bits, a wider one takes its time."""
+"""Widths in pixels of the pens that are worth it: a finer one has too few bits, a wider one takes its time."""
+FINE_SCREEN = 1.5
+"""From so many device pixels a pixel on, half as many bits along each side of one will do."""
+BAND = 2**18
+"""So many pixels are worked on at a time, as what belongs to them stays in the processor's cache."""
 TINY = 1e-6
 WORD = 64
-ONE, REST = np.uint64(1), np.uint64(WORD - 1)
+NONE, ONE, TWO, FOUR, REST = (np.uint64(shift) for shift in (0, 1, 2, 4, WORD - 1))
+PLACES = ONE << np.arange(WORD, dtype=np.uint64)
 NIBBLES, PAIRS, ODD = (np.uint64(int(digits * 8, 16)) for digits in ("0f", "33", "55"))
 
 
@@ -61,31 +65,40 @@ def paint_dense(
     ratio = painter.device().devicePixelRatioF()
     columns, rows = math.ceil(wide * ratio - TINY), math.ceil(high * ratio - TINY)
     corner = viewport.to_points((left, top))
-    covered = coverage(points, corner, viewport.scale * ratio, width * ratio, columns, rows)
-    shaded = _shades(colour).take(covered.view(np.uint16)).view(np.uint32)
-    image = QImage(shaded.data, columns, rows, shaded.strides[0], QImage.Format.Format_ARGB32_Premultiplied)
-    image.setDevicePixelRatio(ratio)
-    painter.drawImage(QPointF(left, top), image)
+    fine = 4 if ratio < FINE_SCREEN else 2
+    for first, covered in _bands(points, corner, viewport.scale * ratio, width * ratio, columns, rows, fine):
+        shaded = _shades(colour).take(covered.view(np.uint16)).view(np.uint32)
+        image = QImage(
+            shaded.data, columns, len(shaded), shaded.strides[0], QImage.Format.Format_ARGB32_Premultiplied
+        )
+        image.setDevicePixelRatio(ratio)
+        painter.drawImage(QPointF(left, top + first / ratio), image)
 
 
 @lru_cache(maxsize=16)
 def _shades(colour: str) -> NDArray[np.uint64]:
-    """What two pixels are side by side, premultiplied, of which a pen of that colour covers so and so many bits.
+    """What two pixels are side by side, premultiplied, of which a pen of that colour covers so many sixteenths.
 
-    By one number for both, the right one's bits in the upper byte.
+    By one number for both, the right one's sixteenths in the upper byte.
     """
-    pen, most = QColor(colour), FINE**2
-    parts = np.outer(np.arange(most + 1) / most, (255, pen.red(), pen.green(), pen.blue()))
+    pen = QColor(colour)
+    parts = np.outer(np.arange(17) / 16, (255, pen.red(), pen.green(), pen.blue()))
     one = np.round(parts).astype(np.uint64) @ np.array([1 << 24, 1 << 16, 1 << 8, 1], dtype=np.uint64)
-    both = np.zeros((most + 1, 256), dtype=np.uint64)
-    both[:, : most + 1] = one[:, None] << np.uint64(32) | one
+    both = np.zeros((17, 256), dtype=np.uint64)
+    both[:, :17] = one[:, None] << np.uint64(32) | one
     return both.ravel()
 
 
 def coverage(
-    points: Iterable[Floats], corner: Floats, scale: float, width: float, columns: int, rows: int
+    points: Iterable[Floats],
+    corner: Floats,
+    scale: float,
+    width: float,
+    columns: int,
+    rows: int,
+    fine: int = 4,
 ) -> Bytes:
-    """How many of its 16 bits a pen covers of each pixel.
+    """How many sixteenths a pen covers of each pixel.
 
     Parameters
     ----------
@@ -99,30 +112,50 @@ def coverage(
         The pen's diameter in pixels.
     columns, rows
         How many pixels there are.
+    fine
+        Bits along each side of a pixel, 4 or 2.
 
     Returns
     -------
-    ndarray of uint8, shape (rows, columns and up to 15 more)
+    ndarray of uint8, shape (rows, columns and up to 31 more)
     """
-    diameter = max(round(FINE * width), 1)
+    bands = _bands(points, corner, scale, width, columns, rows, fine)
+    return np.concatenate([covered for _, covered in bands])
+
+
+def _bands(
+    points: Iterable[Floats],
+    corner: Floats,
+    scale: float,
+    width: float,
+    columns: int,
+    rows: int,
+    fine: int,
+) -> Iterator[tuple[int, Bytes]]:
+    """The first row of some rows, and of these what `coverage` returns, from the top down."""
+    diameter = max(round(fine * width), 1)
     above = diameter // 2 + 1  # so many rows, and a word on each side, keep what is outside apart
-    words = math.ceil(columns * FINE / WORD) + 2
-    height = rows * FINE + 2 * above
-    touched = np.zeros(height * words * WORD, dtype=np.uint8)
-    start, growth = corner[:, None], np.array([[scale], [-scale]]) * FINE
+    words = math.ceil(columns * fine / WORD) + 2
+    height = rows * fine + 2 * above
+    bits = np.zeros(height * words, dtype=np.uint64)
+    start, growth = corner[:, None], np.array([[scale], [-scale]]) * fine
     # An even number of bits lies around a corner of four.
     first = np.array([[WORD], [above]]) + (0.0 if diameter % 2 else 0.5)
     last = np.array([[words * WORD - 1], [height - 1]])
     for some in points:
-        fine = some - start
-        fine *= growth
-        fine += first
-        x, y = np.clip(fine, 0, last, out=fine).astype(np.int32)
+        exact = some - start
+        exact *= growth
+        exact += first
+        x, y = np.clip(exact, 0, last, out=exact).astype(np.intp)
         y *= words * WORD
         y += x
-        touched[y] = 1
-    bits = np.packbits(touched, bitorder="little").view(np.uint64)
-    return _counted(_spread(bits, diameter, words).reshape(height, words)[above : height - above, 1:-1])
+        np.bitwise_or.at(bits, y >> 6, PLACES.take(y & (WORD - 1)))
+    lines = bits.reshape(height, words)
+    band = max(BAND // columns, 1)
+    for top in range(0, rows, band):
+        within = lines[top * fine : min(top + band, rows) * fine + 2 * above].ravel()
+        spread = _spread(within, diameter, words).reshape(-1, words)
+        yield top, _counted(spread[above:-above, 1:-1], fine)
 
 
 def _spread(bits: Bits, diameter: int, words: int) -> Bits:
@@ -157,19 +190,26 @@ def _widened(bits: Bits, spare: Bits, *, gaps: bool) -> Bits:
     return result
 
 
-def _counted(bits: Bits) -> Bytes:
-    """How many bits are set in each square of 4 × 4, from (4 · rows, words) to (rows, 16 · words)."""
+def _counted(bits: Bits, fine: int) -> Bytes:
+    """How many sixteenths are set of each square of bits, from (fine · rows, words) to (rows, 64 / fine · words)."""
     pairs = bits >> ONE
     pairs &= ODD
     np.subtract(bits, pairs, out=pairs)
-    fours = pairs >> np.uint64(2)
-    fours &= PAIRS
-    pairs &= PAIRS
-    fours += pairs
-    fours = fours.reshape(-1, FINE, fours.shape[1])
-    upper, lower = fours[:, 0] + fours[:, 1], fours[:, 2] + fours[:, 3]
-    result = np.empty((len(fours), 2 * WORD // 8 * fours.shape[2]), dtype=np.uint8)
-    for start, shift in enumerate((np.uint64(0), np.uint64(4))):
-        sums = (upper >> shift & NIBBLES) + (lower >> shift & NIBBLES)
-        result[:, start::2] = sums.view(np.uint8)
+    right = pairs >> TWO
+    right &= PAIRS
+    left = pairs
+    left &= PAIRS
+    if (
+        fine == 4
+    ):  # the numbers for a row of a pixel are added up, then its rows: two of them fit where one was
+        left += right
+        rows = left.reshape(-1, 4, left.shape[1])
+        one, other = rows[:, 0] + rows[:, 1], rows[:, 2] + rows[:, 3]
+        numbers = [(one >> shift & NIBBLES) + (other >> shift & NIBBLES) for shift in (NONE, FOUR)]
+    else:
+        sides = [side[::2] + side[1::2] for side in (left, right)]
+        numbers = [(side >> shift & NIBBLES) << TWO for shift in (NONE, FOUR) for side in sides]
+    result = np.empty((len(numbers[0]), WORD // fine * left.shape[1]), dtype=np.uint8)
+    for start, number in enumerate(numbers):
+        result[:, start :: len(numbers)] = number.view(np.uint8)
     return result
