@@ -8,7 +8,7 @@ from PySide6.QtGui import QImage, QPainter
 
 from theditor.canvas import curves, dense
 from theditor.canvas.curves import CurvesPainter
-from theditor.canvas.dense import NARROWEST, WIDEST, coverage, spacing
+from theditor.canvas.dense import NARROWEST, WIDEST, Grid, coverage, spacing
 from theditor.canvas.viewport import Viewport
 from theditor.drawing import Drawing, Item
 from theditor.model.colours import LIGHT
@@ -18,7 +18,7 @@ CORNER, SCALE, COLUMNS, ROWS = np.array([2.0, 3.0]), 5.0, 40, 30
 
 
 def share(points, width, fine=4):
-    return coverage(points, CORNER, SCALE, width, COLUMNS, ROWS, fine)[:, :COLUMNS] / 16
+    return coverage(points, width, Grid(CORNER, SCALE, COLUMNS, ROWS, fine))[:, :COLUMNS] / 16
 
 
 def in_plane(pixels):
@@ -87,7 +87,7 @@ def test_parts_of_a_picture_fit_together(qapp, monkeypatch, ratio):
 def test_pens_too_fine_or_too_wide_draw_lines(qapp, monkeypatch, width):
     monkeypatch.setattr(curves, "DENSE", 0.0)
     monkeypatch.setattr(curves, "MOST_LINES", 0)
-    monkeypatch.setattr(dense, "coverage", None)
+    monkeypatch.setattr(dense, "_bands", None)
     angles = np.arange(40) * 0.9
     drawing = Drawing([Item(Curve(np.stack([np.cos(angles), np.sin(angles)]).T), width=width)])
     painted = CurvesPainter()

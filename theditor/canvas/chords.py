@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from theditor.canvas.levels import Flags, Floats, Ints, Level, distances, longest_step, stray
+from theditor.canvas.moved import whole_offset
 from theditor.spline import Curve, changed_segments, enclosures, joints
 from theditor.spline.distinct import distinct
 from theditor.spline.sampling import intervals_within, middles, sample_parts
@@ -105,7 +106,7 @@ class ChordTree:
         offsets = np.zeros((2, len(curves)))
         for place, (old, new) in enumerate(zip(self._curves, curves, strict=True)):
             if old is not new:
-                offset = _offset(old, new)
+                offset = whole_offset(old, new)
                 if offset is not None:
                     offsets[:, place] = offset
                     continue
@@ -380,29 +381,6 @@ class ChordTree:
         for column, few in reversed(tuple(enumerate(CUTS))):
             steps[self._strays[column, leaves] <= tolerance] = few
         return steps
-
-
-def _offset(old: Curve, new: Curve) -> Floats | None:
-    """By how much a whole curve has been moved, (2,); None if anything else has happened to it."""
-    one, other = old.control_points, new.control_points
-    if old.lambdas is not new.lambdas or one.shape != other.shape or one is other:
-        return None
-    if (old.degree, old.closed, old.ends) != (new.degree, new.closed, new.ends):
-        return None
-    offset: Floats = other[0] - one[0]
-    if (
-        not offset.any()
-        or not _near(other[-1:] - one[-1:], offset, one)
-        or not _near(other - one, offset, one)
-    ):
-        return None
-    return offset
-
-
-def _near(offsets: Floats, offset: Floats, points: Floats) -> bool:
-    """Whether offsets, (k, 2), differ from one by rounding only, of points moved by them."""
-    rounding = 4 * np.finfo(np.float64).eps * (np.abs(points).max() + np.abs(offset).max())
-    return bool(np.abs(offsets - offset).max() <= rounding)
 
 
 def _rows(parts: Iterable[Floats]) -> list[Floats]:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +35,19 @@ WORD = 64
 NONE, ONE, TWO, FOUR, REST = (np.uint64(shift) for shift in (0, 1, 2, 4, WORD - 1))
 PLACES = ONE << np.arange(WORD, dtype=np.uint64)
 NIBBLES, PAIRS, ODD = (np.uint64(int(digits * 8, 16)) for digits in ("0f", "33", "55"))
+
+
+class Grid(NamedTuple):
+    """Pixels over part of the plane."""
+
+    corner: Floats
+    """(2,): the point in the top left corner."""
+    scale: float
+    """Pixels per unit."""
+    columns: int
+    rows: int
+    fine: int
+    """Bits along each side of a pixel, 4 or 2."""
 
 
 def spacing(width: float) -> float:
@@ -64,9 +78,9 @@ def paint_dense(
     left, top, wide, high = area
     ratio = painter.device().devicePixelRatioF()
     columns, rows = math.ceil(wide * ratio - TINY), math.ceil(high * ratio - TINY)
-    corner = viewport.to_points((left, top))
-    fine = 4 if ratio < FINE_SCREEN else 2
-    for first, covered in _bands(points, corner, viewport.scale * ratio, width * ratio, columns, rows, fine):
+    corner, fine = viewport.to_points((left, top)), 4 if ratio < FINE_SCREEN else 2
+    grid = Grid(corner, viewport.scale * ratio, columns, rows, fine)
+    for first, covered in _bands(points, width * ratio, grid):
         shaded = _shades(colour).take(covered.view(np.uint16)).view(np.uint32)
         image = QImage(
             shaded.data, columns, len(shaded), shaded.strides[0], QImage.Format.Format_ARGB32_Premultiplied
@@ -89,56 +103,34 @@ def _shades(colour: str) -> NDArray[np.uint64]:
     return both.ravel()
 
 
-def coverage(
-    points: Iterable[Floats],
-    corner: Floats,
-    scale: float,
-    width: float,
-    columns: int,
-    rows: int,
-    fine: int = 4,
-) -> Bytes:
+def coverage(points: Iterable[Floats], width: float, grid: Grid) -> Bytes:
     """How many sixteenths a pen covers of each pixel.
 
     Parameters
     ----------
     points : iterable of (2, n)
         Where the pen has been in the plane, y upward.
-    corner : (2,)
-        The point of the plane in the top left corner.
-    scale
-        Pixels per unit.
     width
         The pen's diameter in pixels.
-    columns, rows
-        How many pixels there are.
-    fine
-        Bits along each side of a pixel, 4 or 2.
+    grid
+        The pixels.
 
     Returns
     -------
     ndarray of uint8, shape (rows, columns and up to 31 more)
     """
-    bands = _bands(points, corner, scale, width, columns, rows, fine)
-    return np.concatenate([covered for _, covered in bands])
+    return np.concatenate([covered for _, covered in _bands(points, width, grid)])
 
 
-def _bands(
-    points: Iterable[Floats],
-    corner: Floats,
-    scale: float,
-    width: float,
-    columns: int,
-    rows: int,
-    fine: int,
-) -> Iterator[tuple[int, Bytes]]:
+def _bands(points: Iterable[Floats], width: float, grid: Grid) -> Iterator[tuple[int, Bytes]]:
     """The first row of some rows, and of these what `coverage` returns, from the top down."""
+    fine = grid.fine
     diameter = max(round(fine * width), 1)
     above = diameter // 2 + 1  # so many rows, and a word on each side, keep what is outside apart
-    words = math.ceil(columns * fine / WORD) + 2
-    height = rows * fine + 2 * above
+    words = math.ceil(grid.columns * fine / WORD) + 2
+    height = grid.rows * fine + 2 * above
     bits = np.zeros(height * words, dtype=np.uint64)
-    start, growth = corner[:, None], np.array([[scale], [-scale]]) * fine
+    start, growth = grid.corner[:, None], np.array([[grid.scale], [-grid.scale]]) * fine
     # An even number of bits lies around a corner of four.
     first = np.array([[WORD], [above]]) + (0.0 if diameter % 2 else 0.5)
     last = np.array([[words * WORD - 1], [height - 1]])
@@ -151,9 +143,9 @@ def _bands(
         y += x
         np.bitwise_or.at(bits, y >> 6, PLACES.take(y & (WORD - 1)))
     lines = bits.reshape(height, words)
-    band = max(BAND // columns, 1)
-    for top in range(0, rows, band):
-        within = lines[top * fine : min(top + band, rows) * fine + 2 * above].ravel()
+    band = max(BAND // grid.columns, 1)
+    for top in range(0, grid.rows, band):
+        within = lines[top * fine : min(top + band, grid.rows) * fine + 2 * above].ravel()
         spread = _spread(within, diameter, words).reshape(-1, words)
         yield top, _counted(spread[above:-above, 1:-1], fine)
 
