@@ -25,18 +25,26 @@ def test_a_curve_is_split_at_the_joint_of_the_selected_point_and_joined_again():
     whole = Curve(POINTS, [0, 0.5, 1, 0, -1, 0], ends="clamped")
     document, selection = opened_with(whole)
     selection.select(points={2})
-    assert pieces.split(document, selection) == "Split “a” in two; the shape is the same"
+    assert pieces.split(document, selection) == "Split “a (2)” off “a”; the shape is the same"
     first, second = (item.curve for item in document.drawing)
     assert first(first.segment_count) == pytest.approx(whole(2), abs=1e-12)
     assert on(first, whole) < 1e-12
     assert on(second, whole) < 1e-12
     assert document.undo_stack.undoText() == "Split curve"
-    assert pieces.join(document, selection) == "Joined “a” and “a”; the shape is the same"
+    assert pieces.join(document, selection) == "Joined “a” and “a (2)”; the shape is the same"
     assert len(document.drawing) == 1
     assert on(whole, document.drawing[0].curve) < 1e-9
     document.undo()
     document.undo()
     assert document.drawing[0].curve == whole
+
+
+def test_each_part_of_a_curve_has_a_name_of_its_own():
+    document, selection = opened_with(Curve(POINTS))
+    for _ in range(2):
+        selection.select(curve=len(document.drawing) - 1, segments={0, 1})
+        pieces.split(document, selection)
+    assert [item.name for item in document.drawing] == ["a", "a (2)", "a (3)"]
 
 
 def test_two_segments_say_where_to_split_too():
