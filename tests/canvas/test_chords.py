@@ -1,6 +1,7 @@
 """Level of detail: the lines in place of segments stay with the curves, and none that shows is missing."""
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -125,6 +126,30 @@ def test_a_tree_follows_curves_that_are_moved_whole(drawing, tolerance, data):
     if now.lines.shape == wanted.lines.shape:
         assert np.abs(now.lines - wanted.lines).max(initial=0.0) < 1e-9
     assert np.abs(tree.sizes - anew.sizes).max(initial=0.0) < 1e-9
+
+
+def moved(curve, some, offset):
+    return curve.with_points(some, curve.control_points[some] + offset)
+
+
+def follows_wrongly(curves):
+    """Whether a tree that follows curves ends up elsewhere than the last one; it may give up."""
+    tree = ChordTree(curves[:1])
+    if not all(tree.follow([curve]) for curve in curves[1:]):
+        return False
+    wanted = ChordTree(curves[-1:]).chords(*WINDOW, 1e-6)
+    return np.abs(tree.chords(*WINDOW, 1e-6).lines - wanted.lines).max() > 1e-9
+
+
+@pytest.mark.parametrize("far", [1e3, 1e6, 1e9, 9e11])
+def test_a_small_curve_that_was_far_away_is_itself_again(far):
+    small = Curve(np.random.default_rng(0).normal(scale=1e-3, size=(9, 2)))
+    assert not follows_wrongly([small, moved(small, range(9), [far, 0.0]), small])
+
+
+def test_a_point_is_moved_alone_where_another_is_too_far_away_to_tell():
+    curve = Curve([[0, 0], [1, 0], [1, 1], [2, 2], [1e12, 3]])
+    assert not follows_wrongly([curve, moved(curve, [0], [3e-4, 0.0])])
 
 
 def test_an_edit_of_a_long_curve_is_followed():

@@ -30,6 +30,8 @@ BLOCK = 8192
 """So many segments are measured at a time, as their numbers stay in the processor's cache."""
 MOST_SHIFTS = 1000
 """So many times a tree is moved with its curves, each time rounded, before it is made anew."""
+SLIGHT = 1e-8
+"""Rounding that is no larger than this share of a curve's size is not seen."""
 MIXED = -1
 """The mode of a run of segments that have different ones."""
 
@@ -103,10 +105,10 @@ class ChordTree:
         if len(curves) != len(self._curves):
             return False
         rows, patches, count = [], [], 0
-        offsets = np.zeros((2, len(curves)))
+        offsets, sizes = np.zeros((2, len(curves))), self.sizes.max(axis=0)
         for place, (old, new) in enumerate(zip(self._curves, curves, strict=True)):
             if old is not new:
-                offset = whole_offset(old, new)
+                offset = whole_offset(old, new, SLIGHT * sizes[place])
                 if offset is not None:
                     offsets[:, place] = offset
                     continue
