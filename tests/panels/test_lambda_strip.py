@@ -1,8 +1,9 @@
 import numpy as np
 import pytest
 from panel_hand import CTRL, SHIFT, Hand, some_curve
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QPalette
+from PySide6.QtCore import QPoint, QSize, Qt
+from PySide6.QtGui import QColor, QImage, QPainter, QPalette
+from PySide6.QtWidgets import QWidget
 
 from theditor.drawing import Drawing, Item
 from theditor.model import DARK, LIGHT, Document, Selection
@@ -221,3 +222,17 @@ def test_a_parameter_that_makes_a_basis_function_negative_has_a_hatched_knob(str
 
     assert np.ptp(pixels_of_knob(0.5)) == 0
     assert np.ptp(pixels_of_knob(6.0)) > 100
+
+
+@pytest.mark.parametrize("ratio", [1.25, 1.5, 1.75])
+def test_nothing_dark_is_left_at_the_edges_on_a_fine_screen(strip, ratio):
+    size = strip.viewport().size()
+    image = QImage((size + QSize(2, 2)) * ratio, QImage.Format.Format_RGB32)
+    image.setDevicePixelRatio(ratio)
+    image.fill(0)
+    painter = QPainter(image)
+    strip.viewport().render(painter, QPoint(1, 1), renderFlags=QWidget.RenderFlag(0))
+    painter.end()
+    ends = [[image.pixelColor(x, round(3 * ratio)).name() for x in range(image.width())]]
+    ends += [[image.pixelColor(round(3 * ratio), y).name() for y in range(image.height())]]
+    assert {end[k] for end in ends for k in (*range(4), *range(-4, 0))} == {"#000000", LIGHT.panel.lower()}

@@ -336,7 +336,8 @@ class LambdaStrip(QAbstractScrollArea):
         painter = QPainter(self.viewport())
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         colours = colours_for(self.palette())
-        painter.fillRect(event.rect(), colours.panel)
+        # At the edge a fine screen's pixels may be covered in part: nothing else paints these.
+        painter.fillRect(event.rect().adjusted(-1, -1, 1, 1), colours.panel)
         if self._item is not None:
             curve, width, height = self._item.curve, self._width(), self.track_height
             first = max(0, self._column_at(event.rect().left()))
