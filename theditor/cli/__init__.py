@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import os
 import sys
 from collections.abc import Sequence
@@ -72,7 +71,11 @@ def fail(sentence: object) -> int:
 
 
 def _run(arguments: Sequence[str]) -> int:
-    name = arguments[0] if arguments else ""
+    if not arguments:
+        return _open_window([])
+    import argparse  # a start without arguments needs no parser
+
+    name = arguments[0]
     if name not in COMMANDS:
         return _open(arguments)
     command = import_module(f"theditor.cli.{COMMANDS[name].module}")
@@ -89,6 +92,8 @@ def _run(arguments: Sequence[str]) -> int:
 
 
 def _open(arguments: Sequence[str]) -> int:
+    import argparse
+
     lines = (f"  theditor {name + ' ' + each.usage:<23} {each.about}" for name, each in COMMANDS.items())
     parser = argparse.ArgumentParser(
         prog="theditor",
@@ -115,9 +120,13 @@ def _open(arguments: Sequence[str]) -> int:
         return 0
     if hint := _mistyped(arguments):
         parser.error(hint)
+    return _open_window(options.files)
+
+
+def _open_window(files: Sequence[str]) -> int:
     from theditor.cli.window import open_window
 
-    return open_window(options.files)
+    return open_window(files)
 
 
 def _mistyped(words: Sequence[str]) -> str:

@@ -172,9 +172,9 @@ class _SegmentDelegate(QStyledItemDelegate):
         for candidate, cell in cells.items():
             ground = _cell_ground(candidate == mode, (row, candidate), view, colours)
             if ground is not None:
-                part = QPainterPath()
-                part.addRect(QRectF(cell))
-                painter.fillPath(shape.intersected(part), ground)
+                painter.setClipRect(cell)
+                painter.fillPath(shape, ground)
+                painter.setClipping(False)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(QColor(colours.border), 1.0))
         for cell in list(cells.values())[1:]:
