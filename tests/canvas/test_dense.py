@@ -40,7 +40,7 @@ def test_a_pixel_is_covered_as_far_as_it_is_near_a_point(seed, width, count, fin
     assert np.abs(drawn - exact).mean() < 0.2 / fine
 
 
-@pytest.mark.parametrize("width", [0.5, 1.0, 1.3, 2.0, 3.6, 8.0])
+@pytest.mark.parametrize("width", [0.5, 1.0, 1.3, 2.0, 3.6, 8.0, WIDEST])
 def test_a_straight_line_is_as_wide_as_its_pen(width):
     along = np.arange(-5.0, 45.0, spacing(width))
     level = share([in_plane([along, np.full_like(along, 15.0)])], width)
@@ -49,9 +49,12 @@ def test_a_straight_line_is_as_wide_as_its_pen(width):
         assert np.abs(sums - width).max() <= 0.25
 
 
-def test_what_lies_outside_leaves_nothing_inside():
-    far = [[-1e9, 1e9, -2.0, 42.1, 20.0, 20.0], [10.0, 10.0, 10.0, 10.0, -2.1, 32.1]]
-    assert not share([in_plane(far)], 4.0).any()
+@pytest.mark.parametrize("width", [4.0, WIDEST])
+@pytest.mark.parametrize("fine", [4, 2])
+def test_what_lies_outside_leaves_nothing_inside(width, fine):
+    away = width / 2 + 0.3
+    far = [[-1e9, 1e9, -away, 40 + away, 20.0, 20.0], [10.0, 10.0, 10.0, 10.0, -away, 30 + away]]
+    assert not share([in_plane(far)], width, fine).any()
 
 
 @pytest.mark.parametrize("ratio", [1.0, 1.5, 2.0])
@@ -83,11 +86,10 @@ def test_parts_of_a_picture_fit_together(qapp, monkeypatch, ratio):
     ).all()
 
 
-@pytest.mark.parametrize("width", [0.3, 20.0])
-def test_pens_too_fine_or_too_wide_draw_lines(qapp, monkeypatch, width):
+def painted_at_once(monkeypatch, width):
+    """A curve of a width, painted as if it were a very dense one, on white; returns both as arrays."""
     monkeypatch.setattr(curves, "DENSE", 0.0)
     monkeypatch.setattr(curves, "MOST_LINES", 0)
-    monkeypatch.setattr(dense, "_bands", None)
     angles = np.arange(40) * 0.9
     drawing = Drawing([Item(Curve(np.stack([np.cos(angles), np.sin(angles)]).T), width=width)])
     painted = CurvesPainter()
@@ -98,4 +100,18 @@ def test_pens_too_fine_or_too_wide_draw_lines(qapp, monkeypatch, width):
     painter = QPainter(image)
     painted.paint(painter, drawing, 0, Viewport(0, 0, 40, 100, 100), LIGHT, by_mode=False)
     painter.end()
-    assert (np.array(image.constBits()) != blank).any()
+    return np.array(image.constBits()), blank
+
+
+@pytest.mark.parametrize("width", [0.3, 30.0])
+def test_pens_too_fine_or_too_wide_draw_lines(qapp, monkeypatch, width):
+    monkeypatch.setattr(dense, "_bands", None)
+    picture, blank = painted_at_once(monkeypatch, width)
+    assert (picture != blank).any()
+
+
+@pytest.mark.parametrize("width", [0.6, 9.0, 20.0])
+def test_other_pens_draw_no_lines(qapp, monkeypatch, width):
+    monkeypatch.setattr(curves, "draw_lines", None)
+    picture, blank = painted_at_once(monkeypatch, width)
+    assert (picture != blank).any()

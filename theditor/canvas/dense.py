@@ -24,8 +24,8 @@ Floats = NDArray[np.float64]
 Bits = NDArray[np.uint64]
 Bytes = NDArray[np.uint8]
 
-NARROWEST, WIDEST = 0.5, 8.0
-"""Widths in pixels of the pens that are worth it: a finer one has too few bits, a wider one takes its time."""
+NARROWEST, WIDEST = 0.5, 24.0
+"""Widths in pixels of the pens that will do: a finer one has too few bits, half of a wider one more than a word."""
 FINE_SCREEN = 1.5
 """From so many device pixels a pixel on, half as many bits along each side of one will do."""
 BAND = 2**18
