@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from PySide6.QtGui import QImage, QPainter
 
 from theditor.canvas.curves import CurvesPainter
 from theditor.canvas.grid import number, steps
@@ -14,6 +15,7 @@ from theditor.canvas.lines import clipped
 from theditor.canvas.trace import TOLERANCE, Stroke, strokes
 from theditor.canvas.viewport import Viewport
 from theditor.drawing import Drawing, Item
+from theditor.model import LIGHT
 from theditor.spline import Curve, Mode, self_intersections
 
 PLANE = Viewport(1.0, 0.5, 80.0, 800.0, 600.0)
@@ -168,3 +170,21 @@ def test_a_few_handles_always_show():
 def test_modes_are_told_apart_in_strokes():
     curve = Curve([[0, 0], [1, 2], [3, 1], [4, 0], [5, 2]]).with_mode(1, Mode.HYPERBOLIC)
     assert {stroke.code for stroke in strokes(curve, PLANE)} == {1, 3}
+
+
+def test_a_wide_line_does_not_fray_in_a_bend(qapp):
+    width, plane = 24.0, Viewport(0.5, 0.5, 100.0, 200.0, 200.0)
+    curve = Curve([(0, 0), (0.5, 0.4), (0.6, 0.5), (0.5, 0.6), (0, 1)], ends="clamped")
+    drawing, painted = Drawing([Item(curve, width=width)]), CurvesPainter()
+    painted.update(drawing)
+    image = QImage(200, 200, QImage.Format.Format_RGB32)
+    image.fill(0xFFFFFF)
+    painter = QPainter(image)
+    painted.paint(painter, drawing, 0, plane, LIGHT, by_mode=False)
+    painter.end()
+    rows, columns = np.nonzero(np.array(image.constBits()).reshape(200, 200, 4)[..., 0] < 128)
+    inked = np.stack([columns, rows], axis=1) + 0.5
+    along = plane.to_pixels(curve.sample(60))
+    away = np.hypot(*(inked[:, None] - along).transpose(2, 0, 1)).min(axis=1)
+    assert len(away) > 1000
+    assert away.max() < width / 2 + 0.75
