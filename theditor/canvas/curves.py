@@ -37,7 +37,7 @@ CROWDED_TOLERANCE = 0.25
 """So many pixels they may then be away from the curve."""
 DENSE, MOST_LINES = 0.037, 25_000
 """Curves of more lines than this for each pixel, and that in all, are laid as points, which takes less time, …"""
-MOST_INKS, MOST_POINTS = 8, 8
+MOST_INKS, MOST_POINTS = 16, 8
 """… unless they come in more colours and widths one over the other, or run to more points for each pixel."""
 FRAYING = 6.0
 """In bends of lines wider than this the corners of square caps would stick out."""

@@ -43,11 +43,11 @@ class PlaneView(pg.GraphicsView):
 
     def show_view(self, x: float, y: float, scale: float) -> None:
         """Show the plane around a point, at a scale in pixels per unit, within what floats can resolve."""
-        size = self.box.rect()
+        plane = self.plane
         finest = max(1e-9, 1e-11 * max(abs(x), abs(y)))
-        width = min(max(size.width() / scale, finest), WIDEST)
+        width = min(max(plane.width / scale, finest), WIDEST)
         x, y = (min(max(v, -MAX_COORDINATE), MAX_COORDINATE) for v in (x, y))
-        height = width * size.height() / size.width()
+        height = width * plane.height / plane.width
         self.fitted = False
         self.box.setRange(QRectF(x - width / 2, y - height / 2, width, height), padding=0)
 
