@@ -52,7 +52,7 @@ class Grid(NamedTuple):
 
 def spacing(width: float) -> float:
     """How far apart points may be so that a pen of a width, both in pixels, leaves no dents between them to see."""
-    return min(0.6 * width, 1.5)
+    return min(0.65 * width, 1.5)
 
 
 def paint_dense(
@@ -138,7 +138,7 @@ def _bands(points: Iterable[Floats], width: float, grid: Grid) -> Iterator[tuple
         exact = some - start
         exact *= growth
         exact += first
-        x, y = np.clip(exact, 0, last, out=exact).astype(np.intp)
+        x, y = np.clip(exact, 0, last, out=exact).astype(np.int32)
         y *= words * WORD
         y += x
         np.bitwise_or.at(bits, y >> 6, PLACES.take(y & (WORD - 1)))
