@@ -37,6 +37,7 @@ from theditor.app.work_card import WorkCard
 from theditor.canvas import Canvas, Pointed
 from theditor.drawing import Item
 from theditor.model import Document, Selection
+from theditor.model.naming import new_name
 from theditor.model.recovery import Recovery
 from theditor.panels.curve import CurvePanel
 from theditor.panels.curves import CurvesPanel
@@ -321,9 +322,8 @@ class MainWindow(QMainWindow):
         reach = 0.3 * min(plane.width, plane.height) / plane.scale
         shape = [(-1.2, -0.5), (-0.7, 0.6), (0.0, -0.3), (0.7, 0.6), (1.2, -0.5)]
         points = (np.array(shape) * reach + (plane.x, plane.y)).clip(-MAX_COORDINATE, MAX_COORDINATE)
-        names = {item.name for item in drawing}
-        number = next(n for n in range(1, len(drawing) + 2) if f"Curve {n}" not in names)
-        item = Item(Curve(points, degree=preferred_degree(), ends="clamped"), name=f"Curve {number}")
+        curve = Curve(points, degree=preferred_degree(), ends="clamped")
+        item = Item(curve, name=new_name({item.name for item in drawing}))
         self.document.apply("Add curve", drawing.inserted(len(drawing), item))
         self.selection.select(curve=len(drawing))
 

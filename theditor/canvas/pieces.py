@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Set
-from itertools import count
+from collections.abc import Callable, Iterable
 
 import numpy as np
 
 from theditor.canvas.projection import projected
 from theditor.drawing import Drawing, Item
-from theditor.drawing.drawing import NAME_LENGTH
 from theditor.model import Document, Selection, reshape
+from theditor.model.naming import part_name
 from theditor.model.words import indexed, shape_changed
 from theditor.spline import Curve
 from theditor.spline import pieces as edits
@@ -31,16 +29,10 @@ def split(document: Document, selection: Selection) -> str:
         return _open(document, selection, joint)
     first, second, deviation = edits.split(item.curve, joint)
     drawing = document.drawing.with_curve(index, first)
-    name = _next_name(item.name, {other.name for other in drawing})
+    name = part_name(item.name, {other.name for other in drawing})
     document.apply("Split curve", drawing.inserted(index + 1, item.with_(curve=second, name=name)))
     selection.select(points=(), segments=())
     return f"Split “{name}” off “{item.name}”; {shape_changed(deviation, item.curve)}"
-
-
-def _next_name(name: str, taken: Set[str]) -> str:
-    """The name of a further part of a curve, numbered from 2."""
-    stem = re.sub(r" \(\d+\)$", "", name[: NAME_LENGTH - 12])
-    return next(part for k in count(2) if (part := f"{stem} ({k})") not in taken)
 
 
 def _joint(curve: Curve, selection: Selection) -> int:

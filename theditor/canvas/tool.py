@@ -15,6 +15,7 @@ from theditor.canvas.tools import Drag, Pointer
 from theditor.canvas.view import PlaneView
 from theditor.drawing import Item
 from theditor.model import Document, Selection
+from theditor.model.naming import new_name
 from theditor.spline import Curve
 
 
@@ -34,9 +35,8 @@ class Bench(NamedTuple):
     def draw(self, curve: Curve, *, current: bool = True) -> None:
         """Add a curve to the drawing in one undo step, and make it current unless something else is to stay so."""
         drawing = self.document.drawing
-        names = {item.name for item in drawing}
-        number = next(n for n in range(1, len(drawing) + 2) if f"Curve {n}" not in names)
-        self.document.apply("Draw curve", drawing.inserted(len(drawing), Item(curve, name=f"Curve {number}")))
+        item = Item(curve, name=new_name({item.name for item in drawing}))
+        self.document.apply("Draw curve", drawing.inserted(len(drawing), item))
         if current:
             self.selection.select(curve=len(drawing))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 import numpy as np
@@ -10,8 +9,8 @@ from PySide6.QtCore import QItemSelection, QItemSelectionModel, Signal
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
 from theditor.drawing import Drawing, DrawingError, Item
-from theditor.drawing.drawing import NAME_LENGTH
 from theditor.model import Document, Selection, words
+from theditor.model.naming import copy_name
 from theditor.panels.curve_list import CurveList, CurveModel
 from theditor.panels.parts import column, describe, heading
 from theditor.panels.segment_model import runs
@@ -85,7 +84,7 @@ class CurvesPanel(QWidget):
         for i, item in enumerate(self._document.drawing):
             items.append(item)
             if i in self._selection.chosen:
-                name = _copy_name(item.name, names)
+                name = copy_name(item.name, names)
                 names.add(name)
                 copies.append(len(items))
                 items.append(item.with_(name=name, locked=False))
@@ -245,9 +244,3 @@ def _button(text: str, name: str, tip: str) -> QToolButton:
     button.setText(text)
     describe(button, name, tip)
     return button
-
-
-def _copy_name(name: str, taken: set[str]) -> str:
-    stem = re.sub(r" copy( \d+)?$", "", name[: NAME_LENGTH - 12]) + " copy"
-    candidates = (stem if i == 1 else f"{stem} {i}" for i in range(1, len(taken) + 2))
-    return next(candidate for candidate in candidates if candidate not in taken)
