@@ -5,6 +5,8 @@ import subprocess
 import sys
 from importlib.util import find_spec
 
+from first_window import FIRST_WINDOW
+
 # Tools, dialogs, formats and libraries: each of these also brings others with it.
 LATER = {
     "theditor.app.clipboard_data",
@@ -21,11 +23,8 @@ LATER = {
     *("ezdxf", "svgelements", "tqdm"),
 }
 
-START = """
-import sys
-from theditor.cli import main
-
-def paint_and_list():
+START = f"""
+def begun():
     app = QApplication.instance()
     app.processEvents()
     (window,) = (each for each in app.topLevelWidgets() if each.isVisible())
@@ -34,16 +33,7 @@ def paint_and_list():
     sys.stdout.flush()
     return 0
 
-class Finder:
-    # The program is to import Qt itself, when it comes to it.
-    def find_spec(self, name, path=None, target=None):
-        global QApplication
-        if name == "theditor.app.main":
-            sys.meta_path.remove(self)
-            from PySide6.QtWidgets import QApplication
-            QApplication.exec = staticmethod(paint_and_list)
-
-sys.meta_path.insert(0, Finder())
+{FIRST_WINDOW}
 sys.exit(main([]))
 """
 

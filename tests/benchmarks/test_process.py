@@ -18,6 +18,7 @@ import time
 from pathlib import Path
 
 import pytest
+from first_window import FIRST_WINDOW
 from large import spiral
 
 from theditor.drawing import save
@@ -34,11 +35,10 @@ app.processEvents()
 window.repaint()
 os._exit(0)
 """
-WINDOW = """
-import os, sys
-from theditor.cli import main
+WINDOW = f"""
+import os
 
-def paint_and_leave():
+def begun():
     app = QApplication.instance()
     app.processEvents()
     for window in app.topLevelWidgets():
@@ -48,16 +48,7 @@ def paint_and_leave():
         os.write(1, status.read().partition("VmHWM:")[2].split()[0].encode())
     os._exit(0)
 
-class Finder:
-    # The program is to import Qt itself, when it comes to it.
-    def find_spec(self, name, path=None, target=None):
-        global QApplication
-        if name == "theditor.app.main":
-            sys.meta_path.remove(self)
-            from PySide6.QtWidgets import QApplication
-            QApplication.exec = staticmethod(paint_and_leave)
-
-sys.meta_path.insert(0, Finder())
+{FIRST_WINDOW}
 main(sys.argv[1:])
 """
 EDITS = """

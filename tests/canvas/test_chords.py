@@ -82,7 +82,7 @@ def test_no_place_of_a_curve_is_far_from_points_along_it(drawing, spacing, data)
 def test_too_many_points_are_given_up():
     tree = ChordTree([Curve(np.arange(20.0).reshape(10, 2) ** 2)])
     assert tree.points(np.arange(7), 1.0, 10) is None
-    assert sum(some.shape[1] for some in tree.points(np.arange(7), 1.0, 1e4)) <= 1e4
+    assert 10 < sum(some.shape[1] for some in tree.points(np.arange(7), 1.0, 1e4)) <= 1e4
 
 
 @given(drawings, tolerances, st.data())

@@ -18,7 +18,11 @@ CORNER, SCALE, COLUMNS, ROWS = np.array([2.0, 3.0]), 5.0, 40, 30
 
 
 def share(points, width, fine=4):
-    return coverage(points, width, Grid(CORNER, SCALE, COLUMNS, ROWS, fine))[:, :COLUMNS] / 16
+    bands = list(coverage(points, width, Grid(CORNER, SCALE, COLUMNS, ROWS, fine)))
+    covered = np.concatenate([band for _, band in bands])
+    assert [first for first, _ in bands] == np.cumsum([0, *(len(band) for _, band in bands[:-1])]).tolist()
+    assert len(covered) == ROWS
+    return covered[:, :COLUMNS] / 16
 
 
 def in_plane(pixels):
@@ -47,6 +51,15 @@ def test_a_straight_line_is_as_wide_as_its_pen(width):
     upright = share([in_plane([np.full_like(along, 20.0), along])], width)
     for sums in (level.sum(axis=0), upright.sum(axis=1)):
         assert np.abs(sums - width).max() <= 0.25
+
+
+@pytest.mark.parametrize("fine", [4, 2])
+def test_bands_of_rows_fit_together(monkeypatch, fine):
+    points = [in_plane(np.random.default_rng(1).uniform(-5, 45, (2, 80)))]
+    whole = share(points, 3.0, fine)
+    monkeypatch.setattr(dense, "BAND", 7 * COLUMNS)
+    assert (share(points, 3.0, fine) == whole).all()
+    assert 0 < whole.mean() < 1
 
 
 @pytest.mark.parametrize("width", [4.0, WIDEST])
@@ -105,7 +118,7 @@ def painted_at_once(monkeypatch, width):
 
 @pytest.mark.parametrize("width", [0.3, 30.0])
 def test_pens_too_fine_or_too_wide_draw_lines(qapp, monkeypatch, width):
-    monkeypatch.setattr(dense, "_bands", None)
+    monkeypatch.setattr(dense, "coverage", None)
     picture, blank = painted_at_once(monkeypatch, width)
     assert (picture != blank).any()
 

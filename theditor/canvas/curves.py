@@ -164,7 +164,7 @@ class CurvesPainter:
             without=without,
         )
         inks = partial(self._inks, drawing, top, colours, by_mode=by_mode)
-        whole = ratio**2 * viewport.width * viewport.height
+        whole = ratio**2 * viewport.width * viewport.height  # of which an area has its share
         chords = lines_if(most=(DENSE + MOST_LINES / whole) * room)
         if chords is None:
             leaves = self._tree.leaves(low, high, without)

@@ -80,7 +80,7 @@ def paint_dense(
     columns, rows = math.ceil(wide * ratio - TINY), math.ceil(high * ratio - TINY)
     corner, fine = viewport.to_points((left, top)), 4 if ratio < FINE_SCREEN else 2
     grid = Grid(corner, viewport.scale * ratio, columns, rows, fine)
-    for first, covered in _bands(points, width * ratio, grid):
+    for first, covered in coverage(points, width * ratio, grid):
         shaded = _shades(colour).take(covered.view(np.uint16)).view(np.uint32)
         image = QImage(
             shaded.data, columns, len(shaded), shaded.strides[0], QImage.Format.Format_ARGB32_Premultiplied
@@ -103,8 +103,8 @@ def _shades(colour: str) -> NDArray[np.uint64]:
     return both.ravel()
 
 
-def coverage(points: Iterable[Floats], width: float, grid: Grid) -> Bytes:
-    """How many sixteenths a pen covers of each pixel.
+def coverage(points: Iterable[Floats], width: float, grid: Grid) -> Iterator[tuple[int, Bytes]]:
+    """How many sixteenths a pen covers of each pixel, some rows of pixels at a time from the top down.
 
     Parameters
     ----------
@@ -115,15 +115,12 @@ def coverage(points: Iterable[Floats], width: float, grid: Grid) -> Bytes:
     grid
         The pixels.
 
-    Returns
-    -------
-    ndarray of uint8, shape (rows, columns and up to 31 more)
+    Yields
+    ------
+    int
+        The first row.
+    ndarray of uint8, shape (k, columns and up to 31 more)
     """
-    return np.concatenate([covered for _, covered in _bands(points, width, grid)])
-
-
-def _bands(points: Iterable[Floats], width: float, grid: Grid) -> Iterator[tuple[int, Bytes]]:
-    """The first row of some rows, and of these what `coverage` returns, from the top down."""
     fine = grid.fine
     diameter = max(round(fine * width), 1)
     above = diameter // 2 + 1  # so many rows, and a word on each side, keep what is outside apart
@@ -191,9 +188,8 @@ def _counted(bits: Bits, fine: int) -> Bytes:
     right &= PAIRS
     left = pairs
     left &= PAIRS
-    if (
-        fine == 4
-    ):  # the numbers for a row of a pixel are added up, then its rows: two of them fit where one was
+    if fine == 4:
+        # Two neighbours are a pixel's row. Of its rows two fit where one was; four need the room of two.
         left += right
         rows = left.reshape(-1, 4, left.shape[1])
         one, other = rows[:, 0] + rows[:, 1], rows[:, 2] + rows[:, 3]
