@@ -30,6 +30,10 @@ def begun():
     (window,) = (each for each in app.topLevelWidgets() if each.isVisible())
     assert window.document.title == "Figure 10" and not window.canvas.viewport().visibleRegion().isEmpty()
     print(*sys.modules)
+    from PySide6 import QtGui
+    assert "QVector4D" not in vars(QtGui), "classes of Qt that nobody needs have been made"
+    from pyqtgraph.Qt import QtGui as mirror
+    assert "QVector4D" in dir(QtGui) and "QVector4D" in dir(mirror) and mirror.QVector4D is QtGui.QVector4D
     sys.stdout.flush()
     return 0
 

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QRectF, Qt
 from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
+from theditor.canvas.qt_mirror import names_on_demand
 from theditor.canvas.viewport import Floats, Viewport
 from theditor.model import unbreakable
 from theditor.spline import MAX_COORDINATE
+
+with names_on_demand():
+    import pyqtgraph as pg
 
 ZOOM_STEP = 1.25
 NOTCH = 120
