@@ -42,7 +42,7 @@ MOST_INKS, MOST_POINTS = 16, 8
 FRAYING = 6.0
 """In bends of lines wider than this the corners of square caps would stick out."""
 MOST_KEPT = 300_000
-"""Trees over so many segments are kept for going back to former drawings; they take some 290 bytes each."""
+"""Trees over so many segments are kept for going back to former drawings; they take some 220 bytes each."""
 
 
 class CurvesPainter:

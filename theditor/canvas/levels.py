@@ -1,4 +1,7 @@
-"""What a tree over segments holds at one height, and how what is measured of points along them is computed."""
+"""The levels of a tree over segments: at height h, node k holds those from number k·2ʰ until the next node's first.
+
+Nodes are told by their numbers, ascending.
+"""
 
 from __future__ import annotations
 
@@ -7,22 +10,28 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from theditor.spline.distinct import distinct
+
 Floats = NDArray[np.float64]
 Ints = NDArray[np.intp]
 Flags = NDArray[np.bool_]
+Places = Ints | slice
 
 
 class Level(NamedTuple):
-    """All nodes of one height, in the order of the curves and of their segments."""
+    """All nodes of one height, in the order of their segments."""
 
     low: Floats  # (2, n) the box
     high: Floats  # (2, n)
-    strays: Floats  # (n,) greatest distance from the chord
-    code: NDArray[np.int8]  # (n,) mode as in `Curve.mode_codes`, or MIXED
-    first: Ints  # (n,) the leaves of the run
-    last: Ints  # (n,)
-    left: Ints  # (n,) the children in the level below; the same one twice where there is one alone
-    right: Ints  # (n,)
+    strays: Floats  # (n,) greatest distance from the chord; infinite where there is none, over several curves
+    codes: NDArray[np.int8]  # (n,) mode as in `Curve.mode_codes`, or MIXED
+
+    @classmethod
+    def blank(cls, count: int) -> Level:
+        """A level of so many nodes, of which nothing is known yet."""
+        return cls(
+            np.empty((2, count)), np.empty((2, count)), np.empty(count), np.empty(count, dtype=np.int8)
+        )
 
     def meet(self, nodes: Ints, low: Floats, high: Floats) -> Flags:
         """Which of some boxes meet a window."""
@@ -32,13 +41,36 @@ class Level(NamedTuple):
         """Which of some boxes lie in a window altogether."""
         return _between(self.high.take(nodes, axis=1), self.low.take(nodes, axis=1), low, high)
 
-    def below(self, nodes: Ints) -> Ints:
-        """The children of some nodes, in their order."""
-        left, right = self.left[nodes], self.right[nodes]
-        children = np.stack((left, right), axis=1)
-        two = np.ones(children.shape, dtype=np.bool_)
-        np.not_equal(left, right, out=two[:, 1])
-        return children[two]
+
+def nodes_below(nodes: Ints, most: int) -> Ints:
+    """The nodes of a level, `most` in all, that are below some of the next one."""
+    below = np.repeat(2 * nodes, 2)
+    below[1::2] += 1
+    return below[:-1] if len(nodes) and below[-1] == most else below
+
+
+def pairs_below(nodes: Ints, most: int) -> tuple[Places, Places]:
+    """The two nodes of a level, `most` in all, below each of some; the same one twice where there is one alone."""
+    where = places_of(nodes)
+    if isinstance(where, slice) and 2 * where.stop <= most:
+        return slice(2 * where.start, 2 * where.stop, 2), slice(2 * where.start + 1, 2 * where.stop, 2)
+    left = 2 * nodes
+    return left, np.minimum(left + 1, most - 1)
+
+
+def parents_of(nodes: Ints) -> Ints:
+    """The nodes above some."""
+    where = places_of(nodes)
+    if isinstance(where, slice):
+        return np.arange(where.start >> 1, (where.stop + 1) >> 1)
+    return distinct(nodes >> 1)
+
+
+def places_of(nodes: Ints) -> Places:
+    """Where in an array to find what belongs to some nodes: in one piece, if they are neighbours."""
+    if not len(nodes):
+        return slice(0, 0)
+    return slice(int(nodes[0]), int(nodes[-1]) + 1) if nodes[-1] - nodes[0] < len(nodes) else nodes
 
 
 def _between(one: Floats, other: Floats, low: Floats, high: Floats) -> Flags:
@@ -50,28 +82,9 @@ def _between(one: Floats, other: Floats, low: Floats, high: Floats) -> Flags:
     return between
 
 
-def stray(points: Floats, steps: int) -> Floats:
-    """How far points along segments, (n + 1, 2, k), stray from chords over equal steps, of which there are so many."""
-    stride = (len(points) - 1) // steps
-    inner = points[:-1].reshape(steps, stride, 2, -1)[:, 1:]
-    farthest: Floats = distances(inner, points[:-1:stride, None], points[stride::stride, None]).max(
-        axis=(0, 1)
-    )
-    return farthest
-
-
-def longest_step(points: Floats) -> Floats:
-    """The longest step from point to point along segments, (n, 2, k)."""
-    steps = points[1:] - points[:-1]
-    steps *= steps
-    longest: Floats = np.sqrt((steps[:, 0] + steps[:, 1]).max(axis=0))
-    return longest
-
-
 def distances(points: Floats, start: Floats, end: Floats) -> Floats:
-    """The distance of each point, (…, 2, n), from its own straight line between two ends."""
-    away, along = points - start, end - start
-    x, y, dx, dy = away[..., 0, :], away[..., 1, :], along[..., 0, :], along[..., 1, :]
+    """The distance of each point, (2, n), from its own straight line between two ends."""
+    (x, y), (dx, dy) = points - start, end - start
     squares = dx * dx + dy * dy
     t = x * dx + y * dy
     t *= np.divide(1.0, squares, out=np.zeros_like(squares), where=squares > 1e-300)
@@ -81,4 +94,5 @@ def distances(points: Floats, start: Floats, end: Floats) -> Floats:
     x *= x
     y *= y
     x += y
-    return np.sqrt(x, out=x)
+    away: Floats = np.sqrt(x, out=x)
+    return away

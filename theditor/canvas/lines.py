@@ -52,5 +52,5 @@ def clipped(
 def draw_lines(painter: QPainter, lines: Floats) -> None:
     """Draw C-contiguous lines (n, 4): x and y of the start, x and y of the end."""
     if len(lines):
-        first: Any = Shiboken.wrapInstance(lines.ctypes.data, QLineF)
+        first: Any = Shiboken.wrapInstance(lines.__array_interface__["data"][0], QLineF)
         painter.drawLines(first, len(lines))

@@ -1,6 +1,8 @@
-"""Curves that have been moved as a whole, and nothing else."""
+"""How two versions of a curve differ, seen quickly: moved as a whole and nothing else, or in how much."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,6 +10,10 @@ from numpy.typing import NDArray
 from theditor.spline import Curve
 
 Floats = NDArray[np.float64]
+Array = NDArray[Any]
+
+SAMPLE = 64
+"""About so many of the control points are compared to see in how many they differ."""
 
 
 def whole_offset(old: Curve, new: Curve, slight: float) -> Floats | None:
@@ -29,3 +35,17 @@ def whole_offset(old: Curve, new: Curve, slight: float) -> Floats | None:
         if np.abs(offsets - offset).max() > rounding:
             return None
     return offset
+
+
+def changed_share(old: Curve, new: Curve) -> float:
+    """In about which share of the control points, or of their λ, two versions of a curve differ, from 0 to 1."""
+    pairs = (old.control_points, new.control_points), (old.lambdas, new.lambdas)
+    return max(_share(one, other) for one, other in pairs)
+
+
+def _share(one: Array, other: Array) -> float:
+    if one is other or one.shape != other.shape:
+        return 0.0 if one is other else 1.0
+    some = slice(None, None, len(one) // SAMPLE + 1)
+    differ = one[some] != other[some]
+    return float(np.mean(differ.any(axis=1) if differ.ndim == 2 else differ))

@@ -34,7 +34,7 @@ def turning(segments: Segments, degree: int) -> Floats:
     """Return a bound of |C''|, (k,), along each segment: 0 where it is straight and run through evenly."""
     bound = np.zeros(segments.start.shape[1])
     for bend, lam in ((segments.bend_start, segments.lambda_start), (segments.bend_end, segments.lambda_end)):
-        bound += np.sqrt(np.einsum("dk,dk->k", bend, bend)) * _steepest(lam, degree)
+        bound += np.sqrt(np.einsum("dk,dk->k", bend, bend)) * steepest(lam, degree)
     return bound
 
 
@@ -55,7 +55,7 @@ def _range(lam: Floats, degree: int) -> tuple[Floats, Floats]:
     return -depth * np.maximum(lam - largest, 0), greatest
 
 
-def _steepest(lam: Floats, degree: int) -> Floats:
+def steepest(lam: Floats, degree: int) -> Floats:
     """Return a bound of |r''(t; λ)|, or of |R''(t; λ)| for the cubic, over 0 ≤ t ≤ 1.
 
     Affine in λ, it is at most |1−λ| max|s''| + |λ| max|h''|, and at most max|s''| + |λ| max|h'' − s''|.

@@ -10,6 +10,7 @@ there. A clamped end needs no extra control points in this form: its edge counts
 second difference is zero (cubic). Arrays are coordinate-major, (d, k): each coordinate is contiguous.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -99,12 +100,42 @@ def mode_codes(curve: "Curve", segments: NDArray[np.intp]) -> NDArray[np.int8]:
     """Return the modes of some segments as numbers: 0 trigonometric, 1 hyperbolic, 2 interpolating, 3 blend."""
     first, count = segments + curve.first_segment, len(curve.lambdas)
     start, end = curve.lambdas[first % count], curve.lambdas[(first + 1) % count]
-    if not curve.active_lambdas[curve.first_segment] and curve.segment_count > 1:
-        # A clamped end has no say; a lone straight segment goes by the λ it keeps.
+    if _ends_are_silent(curve):
         begins, ends = segments == 0, segments == curve.segment_count - 1
         start, end = np.where(begins, end, start), np.where(ends, start, end)
-    codes = np.full(len(segments), 3, dtype=np.int8)
-    for code, lam in enumerate((0.0, 1.0, INTERPOLATING[curve.degree])):
+    return _codes(start, end, INTERPOLATING[curve.degree])
+
+
+def codes_of_all(curves: Sequence["Curve"], lambdas: Floats) -> NDArray[np.int8]:
+    """Return the modes, as `mode_codes` has them, of all segments of several curves, one after the other.
+
+    Parameters
+    ----------
+    curves : sequence of Curve
+    lambdas : ndarray, shape (2, k)
+        λ at the start and at the end of each segment.
+    """
+    counts = np.array([curve.segment_count for curve in curves], dtype=np.intp)
+    silent = np.array([_ends_are_silent(curve) for curve in curves], dtype=np.bool_)
+    beyond = np.cumsum(counts)
+    first, last = (beyond - counts)[silent], beyond[silent] - 1
+    start, end = lambdas.copy()
+    start[first], end[last] = end[first], start[last]
+    return _codes(start, end, np.repeat([INTERPOLATING[curve.degree] for curve in curves], counts))
+
+
+def _ends_are_silent(curve: "Curve") -> bool:
+    """Whether the λ of both ends has no say, as at the ends of a clamped cubic.
+
+    A lone straight segment goes by the λ it keeps.
+    """
+    return curve.degree == 3 and curve.ends == "clamped" and not curve.closed and curve.segment_count > 1
+
+
+def _codes(start: Floats, end: Floats, interpolating: Floats | float) -> NDArray[np.int8]:
+    """Return the modes of segments with these λ at their ends, where λ* is that of their degrees."""
+    codes = np.full(len(start), 3, dtype=np.int8)
+    for code, lam in enumerate((0.0, 1.0, interpolating)):
         codes[(start == lam) & (end == lam)] = code
     return codes
 

@@ -59,7 +59,7 @@ def sample(curve: "Curve", per_segment: int, out: Floats | None = None) -> Float
     _check_positive(per_segment, "per_segment")
     count = curve.segment_count
     shape = curve.dimension, count * int(per_segment) + 1
-    matrix = _generators(per_segment, curve.degree)
+    matrix = generators(per_segment, curve.degree)
     keep = out is not None  # who has a place ready for them will ask again
     if out is None:
         out = np.empty(shape)
@@ -161,7 +161,7 @@ def evaluate_segments(curve: "Curve", segments: ArrayLike, intervals: int) -> Fl
     _check_positive(intervals, "intervals")
     chosen = clean_indices(segments, curve.segment_count, "segment")
     out = np.empty((curve.dimension, len(chosen), int(intervals) + 1))
-    _fill(joints.take_segments(curve, chosen), _generators(intervals, curve.degree), out)
+    _fill(joints.take_segments(curve, chosen), generators(intervals, curve.degree), out)
     return out.transpose(1, 2, 0)
 
 
@@ -277,7 +277,7 @@ def sample_parts(parts: joints.Segments, degree: int, intervals: NDArray[np.intp
     starts = np.concatenate(([0], np.cumsum(intervals + 1)))
     points = np.empty((len(parts.start), starts[-1]))
     for count in np.flatnonzero(np.bincount(intervals)).tolist():
-        matrix = _generators(count, degree)
+        matrix = generators(count, degree)
         group = np.flatnonzero(intervals == count)
         if len(group) == len(intervals):
             _fill(parts, matrix, points.reshape(len(points), -1, count + 1))
@@ -294,12 +294,12 @@ def middles(parts: joints.Segments, degree: int, intervals: int) -> Floats:
     """Return points in the middle of equal steps of t along k segments in joint form, (d, k · intervals)."""
     dimension, count = parts.start.shape
     points = np.empty((dimension, count, intervals))
-    _fill(parts, _generators(intervals, degree, middle=True), points)
+    _fill(parts, generators(intervals, degree, middle=True), points)
     return points.reshape(dimension, -1)
 
 
 @lru_cache(maxsize=64)
-def _generators(intervals: int, degree: int, *, middle: bool = False) -> Floats:
+def generators(intervals: int, degree: int, *, middle: bool = False) -> Floats:
     """Return the weights of a segment's features at t = j/intervals, (features, intervals + 1), or in between."""
     t = (np.arange(intervals) + 0.5 if middle else np.arange(intervals + 1)) / intervals
     order = 2 - degree
