@@ -136,8 +136,9 @@ class ChordTree:
             count += len(segments)
             if 8 * count > self.size:
                 return False
-            rows.append(segments + self._begins[place])
-            patches.append((new, segments))
+            if len(segments):
+                rows.append(segments + self._begins[place])
+                patches.append((new, segments))
         moved: Flags = np.any(offsets, axis=0)
         self._shifts += int(moved.any())
         if self._shifts > MOST_SHIFTS:

@@ -218,18 +218,20 @@ def _title(selection: Selection) -> str:
     if selection.item is None:
         return "SHAPE"
     across = selection.lambdas_across()
-    indices = selection.lambda_indices().tolist()
     if len(across) > 1:
         whole = not selection.count and not selection.segments
         what = "all λ" if whole else words.counted(sum(map(len, across.values())), "point")
         what += f" on {len(across)} curves"
-    elif selection.points:
-        what = f"{words.symbols('λ', indices)} ({words.counted(len(indices), 'point')} selected)"
-    elif selection.segments:
-        named = words.segments_named(selection.item.curve, selection.segments)
-        what = f"{words.symbols('λ', indices)} ({named})".lstrip()
-    else:
+    elif not selection.points and not selection.segments:
         what = "all λ"
+    else:
+        indices = selection.lambda_indices().tolist()
+        told = (
+            f"{words.counted(len(indices), 'point')} selected"
+            if selection.points
+            else words.segments_named(selection.item.curve, selection.segments)
+        )
+        what = f"{words.symbols('λ', indices)} ({told})".lstrip()
     return f"SHAPE · {what}"
 
 
