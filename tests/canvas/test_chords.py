@@ -107,6 +107,24 @@ def test_a_tree_that_follows_an_edit_is_the_tree_made_anew(drawing, tolerance, d
 
 
 @given(drawings, tolerances, st.data())
+def test_a_tree_like_another_is_the_tree_made_anew(drawing, tolerance, data):
+    new = data.draw(st.permutations(drawing))
+    for place, curve in enumerate(new):
+        count = len(curve.control_points)
+        first, last = sorted(data.draw(st.tuples(st.integers(0, count), st.integers(0, count))))
+        extra = np.array(data.draw(st.lists(st.tuples(coordinates, coordinates), max_size=3))).reshape(-1, 2)
+        points = np.vstack([curve.control_points[:first], extra, curve.control_points[last:]])
+        if data.draw(st.booleans()) and len(points) > curve.degree:
+            lambdas = np.concatenate([curve.lambdas[:first], np.zeros(len(extra)), curve.lambdas[last:]])
+            new[place] = Curve(points, lambdas, curve.degree, curve.closed, curve.ends)
+    now, anew = ChordTree(new, ChordTree(drawing)), ChordTree(new)
+    for some, others in zip(now.chords(*WINDOW, tolerance), anew.chords(*WINDOW, tolerance), strict=True):
+        assert (some == others).all()
+    for some, others in zip(laid(now, {}, 0.1), laid(anew, {}, 0.1), strict=True):
+        assert (some == others).all()
+
+
+@given(drawings, tolerances, st.data())
 def test_a_tree_follows_curves_that_are_moved_whole(drawing, tolerance, data):
     tree, new = ChordTree(drawing), drawing
     for _ in range(2):

@@ -187,7 +187,7 @@ def test_going_back_and_forth_measures_no_curve_again(canvas, monkeypatch):
     document, measured = canvas.document, []
     shot(canvas._layers, canvas)
     tree = curves.ChordTree
-    monkeypatch.setattr(curves, "ChordTree", lambda of: measured.append(1) or tree(of))
+    monkeypatch.setattr(curves, "ChordTree", lambda *of: measured.append(1) or tree(*of))
     for factor in (1.1, 1.2, 1.3):
         curve = document.drawing[0].curve
         every = range(len(curve.control_points))

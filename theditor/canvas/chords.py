@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import cycle, pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,7 +30,7 @@ from theditor.canvas.levels import (
     parents_of,
     places_of,
 )
-from theditor.canvas.moved import changed_share, whole_offset
+from theditor.canvas.versions import FEW, changed_share, same_segments, whole_offset
 from theditor.spline import Curve, changed_segments, joints
 from theditor.spline.distinct import distinct
 from theditor.spline.flatness import flatness
@@ -40,8 +40,6 @@ BLOCK = 8192
 """So many segments or nodes are looked at together, as their numbers stay in the processor's cache."""
 MOST_SHIFTS = 1000
 """So many times a tree is moved with its curves, each time rounded, before it is made anew."""
-FEW = 16
-"""Of so many curves about, if that many have changed, it is seen whether most of them are to be measured anew."""
 SLIGHT = 1e-8
 """Rounding that is no larger than this share of a curve's size is not seen."""
 MIXED = -1
@@ -77,7 +75,8 @@ class Leaves(NamedTuple):
 class ChordTree:
     """The tree over plane curves, one after the other."""
 
-    def __init__(self, curves: Sequence[Curve]) -> None:
+    def __init__(self, curves: Sequence[Curve], like: ChordTree | None = None) -> None:
+        """Measure the curves, but for what they share with those of another tree."""
         self._curves = list(curves)
         counts = np.array([curve.segment_count for curve in curves], dtype=np.intp)
         self._begins = np.concatenate(([0], np.cumsum(counts)))
@@ -85,20 +84,53 @@ class ChordTree:
         self._owner = np.repeat(np.arange(len(curves)), counts)
         total = len(self._owner)
         self._forms = np.empty((total, 10))  # what belongs to one segment lies together
-        if curves:
-            forms = zip(*(curve.joint_form for curve in curves), strict=True)
-            _put(self._forms.T, slice(None), _rows(np.concatenate(part, axis=-1) for part in forms))
         self._turning, self._speeds = np.empty((2, total))
         self._ends = np.empty((4, total))
         self._levels = [Level.blank(total)]
         while total > 1:
             total = (total + 1) // 2
             self._levels.append(Level.blank(total))
-        self._levels[0].codes[:] = joints.codes_of_all(curves, self._forms[:, 8:].T)
         self._shifts = 0
         every = np.arange(self.size)
-        self._measure(every)
+        fresh = self._take_over(like) if like is not None else every
+        self._fill(distinct(self._owner[fresh]))
+        self._measure(fresh)
         self._rise(every)
+
+    def _take_over(self, like: ChordTree) -> Ints:
+        """Copy what another tree knows of segments that are the same; returns the others."""
+        sources = same_segments(like._curves, like._begins, self._curves, self._begins)
+        own = np.flatnonzero(sources >= 0)
+        where, chosen = places_of(own), sources[own]
+        self._forms[where] = like._forms.take(chosen, axis=0)
+        for mine, other in zip(self._known_of_leaves(), like._known_of_leaves(), strict=True):
+            mine[where] = other.take(chosen)
+        self._shifts = like._shifts
+        return np.flatnonzero(sources < 0)
+
+    def _known_of_leaves(self) -> list[NDArray[Any]]:
+        leaves = self._levels[0]
+        return [
+            self._turning,
+            self._speeds,
+            *self._ends,
+            *leaves.low,
+            *leaves.high,
+            leaves.strays,
+            leaves.codes,
+        ]
+
+    def _fill(self, places: Ints) -> None:
+        """Put some whole curves into joint form, and tell their modes."""
+        if not len(places):
+            return
+        chosen = np.zeros(len(self._curves), dtype=np.bool_)
+        chosen[places] = True
+        where = places_of(np.flatnonzero(chosen[self._owner]))
+        curves = [self._curves[place] for place in places.tolist()]
+        forms = zip(*(curve.joint_form for curve in curves), strict=True)
+        _put(self._forms.T, where, _rows(np.concatenate(part, axis=-1) for part in forms))
+        self._levels[0].codes[where] = joints.codes_of_all(curves, self._forms[where, 8:].T)
 
     @property
     def size(self) -> int:
@@ -393,9 +425,10 @@ class ChordTree:
         return steps
 
 
-def _rows(parts: Iterable[Floats]) -> list[Floats]:
+def _rows(parts: Iterable[Floats]) -> Iterator[Floats]:
     """The coordinates of all parts of segments, one after the other, (k,) each."""
-    return [row for part in parts for row in np.atleast_2d(part)]
+    for part in parts:
+        yield from np.atleast_2d(part)
 
 
 def _put(rows: Floats, places: Places, values: Iterable[Floats]) -> None:

@@ -86,7 +86,8 @@ class CurvesPainter:
     def _leave(self, curves: list[Curve]) -> None:
         """Take up a former tree that can follow the curves, or else a new one."""
         former = [*([] if self._passing else [self._tree]), *self._former]
-        self._tree = next((tree for tree in self._former if tree.follow(curves)), None) or ChordTree(curves)
+        follower = next((tree for tree in self._former if tree.follow(curves)), None)
+        self._tree = follower or ChordTree(curves, self._tree)
         self._former, size = [], 0
         for tree in former:
             if tree is not self._tree and size < MOST_KEPT:
