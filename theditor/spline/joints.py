@@ -34,7 +34,12 @@ class Segments(NamedTuple):
 
     def take(self, indices: NDArray[np.intp]) -> "Segments":
         """Return those of the segments, in the given order."""
-        return Segments(*(part.take(indices, axis=-1) for part in self))
+        return Segments(*(_taken(part, indices) for part in self))
+
+
+def _taken(part: Floats, indices: NDArray[np.intp]) -> Floats:
+    """Some columns; NumPy would copy a part that shares its memory as a whole before it takes two rows together."""
+    return part.take(indices) if part.ndim == 1 else np.stack([row.take(indices) for row in part])
 
 
 def all_segments(curve: "Curve") -> Segments:
