@@ -18,7 +18,9 @@ CORNER, SCALE, COLUMNS, ROWS = np.array([2.0, 3.0]), 5.0, 40, 30
 
 
 def share(points, width, fine=4):
-    bands = list(coverage(points, width, Grid(CORNER, SCALE, COLUMNS, ROWS, fine)))
+    bands = list(
+        coverage(lambda raster: map(raster.places, points), width, Grid(CORNER, SCALE, COLUMNS, ROWS, fine))
+    )
     covered = np.concatenate([band for _, band in bands])
     assert [first for first, _ in bands] == np.cumsum([0, *(len(band) for _, band in bands[:-1])]).tolist()
     assert len(covered) == ROWS
@@ -39,8 +41,8 @@ def test_a_pixel_is_covered_as_far_as_it_is_near_a_point(seed, width, count, fin
     ).min(axis=2, initial=np.inf)
     exact = (away <= width / 2).reshape(ROWS, 8, COLUMNS, 8).mean(axis=(1, 3))
     drawn = share([in_plane(pixels[:, : count // 2]), in_plane(pixels[:, count // 2 :])], width, fine)
-    # Points are moved by up to half a bit each way, the pen's width by as much.
-    assert np.abs(drawn - exact).max() < 1.8 / fine
+    # Points are moved by up to half a bit each way, the pen's width by as much, on both sides of a gap.
+    assert np.abs(drawn - exact).max() < 2.5 / fine
     assert np.abs(drawn - exact).mean() < 0.2 / fine
 
 

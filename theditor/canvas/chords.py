@@ -10,7 +10,7 @@ So a picture costs as many lines as the eye can tell apart, not as many as the d
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -27,6 +27,7 @@ from theditor.canvas.levels import (
     parents_of,
     places_of,
 )
+from theditor.canvas.raster import Along
 from theditor.canvas.segment_table import BLOCK, SegmentTable
 from theditor.spline import Curve
 from theditor.spline.distinct import distinct
@@ -195,11 +196,8 @@ class ChordTree:
             rows = rows[~barred[0][rows]]
         return Leaves(rows, self._table.owner[rows], self._levels[0].codes[rows])
 
-    def points(self, rows: Ints, spacing: float, most: float) -> Iterator[Floats] | None:
-        """Points, (2, n) at a time, along some leaves, no farther apart than a spacing.
-
-        None if they are to be more than `most`.
-        """
+    def points(self, rows: Ints, spacing: float, most: float) -> Along | None:
+        """Points along some leaves, no farther apart than a spacing; None if they are to be more than `most`."""
         return self._table.points(rows, spacing, most)
 
     def _met(self, low: Floats, high: Floats, begin: int, end: int) -> Ints:

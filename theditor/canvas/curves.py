@@ -18,6 +18,7 @@ from theditor.canvas.handles import FEW, MOST_IN_SQUARE, SQUARE
 from theditor.canvas.held import Held
 from theditor.canvas.lines import clipped, draw_lines
 from theditor.canvas.projection import projected
+from theditor.canvas.raster import Along
 from theditor.canvas.trace import TOLERANCE, Stroke, strokes, traced
 from theditor.canvas.viewport import Area, Floats, Viewport
 from theditor.drawing import Drawing, Item
@@ -212,9 +213,9 @@ class CurvesPainter:
         scale: float,
         ratio: float,
         room: float,
-    ) -> list[tuple[Style, Iterator[Floats]]] | None:
-        """Points, (2, n) at a time, along some segments, by how to paint them; None where lines take less time."""
-        result: list[tuple[Style, Iterator[Floats]]] = []
+    ) -> list[tuple[Style, Along]] | None:
+        """Points along some segments, by how to paint them; None where lines take less time."""
+        result: list[tuple[Style, Along]] = []
         for style, group in groupby(inks, key=itemgetter(0)):
             own = np.concatenate([leaves.rows[chosen] for _, chosen in group])
             width = style[1] * ratio

@@ -9,7 +9,7 @@ fraction of what a line takes.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QImage, QPainter
 
+from theditor.canvas.raster import Along, Raster
 from theditor.canvas.viewport import Area, Viewport
 
 Floats = NDArray[np.float64]
@@ -56,7 +57,7 @@ def spacing(width: float) -> float:
 
 
 def paint_dense(
-    painter: QPainter, points: Iterable[Floats], viewport: Viewport, width: float, colour: str, area: Area
+    painter: QPainter, points: Along, viewport: Viewport, width: float, colour: str, area: Area
 ) -> None:
     """Paint what a round pen leaves that has been at some points.
 
@@ -64,8 +65,8 @@ def paint_dense(
     ----------
     painter
         Paints an image or a pixmap, at any device pixel ratio.
-    points : iterable of (2, n)
-        x and y of points of the plane, which on the screen are no farther apart than `spacing`.
+    points
+        Points of the plane, which on the screen are no farther apart than `spacing`.
     viewport
         Where on the screen they are.
     width
@@ -103,12 +104,12 @@ def _shades(colour: str) -> NDArray[np.uint64]:
     return both.ravel()
 
 
-def coverage(points: Iterable[Floats], width: float, grid: Grid) -> Iterator[tuple[int, Bytes]]:
+def coverage(points: Along, width: float, grid: Grid) -> Iterator[tuple[int, Bytes]]:
     """How many sixteenths a pen covers of each pixel, some rows of pixels at a time from the top down.
 
     Parameters
     ----------
-    points : iterable of (2, n)
+    points
         Where the pen has been in the plane, y upward.
     width
         The pen's diameter in pixels.
@@ -127,15 +128,12 @@ def coverage(points: Iterable[Floats], width: float, grid: Grid) -> Iterator[tup
     words = math.ceil(grid.columns * fine / WORD) + 2
     height = grid.rows * fine + 2 * above
     bits = np.zeros(height * words, dtype=np.uint64)
-    start, growth = grid.corner[:, None], np.array([[grid.scale], [-grid.scale]]) * fine
     # An even number of bits lies around a corner of four.
     first = np.array([[WORD], [above]]) + (0.0 if diameter % 2 else 0.5)
-    last = np.array([[words * WORD - 1], [height - 1]])
-    for some in points:
-        exact = some - start
-        exact *= growth
-        exact += first
-        x, y = np.clip(exact, 0, last, out=exact).astype(np.int32)
+    last = np.array([[words * WORD - 1], [height - 1]], dtype=np.float32)
+    raster = Raster(grid.corner[:, None], np.array([[grid.scale], [-grid.scale]]) * fine, first)
+    for some in points(raster):
+        x, y = np.clip(some, 0, last).astype(np.int32)
         y *= words * WORD
         y += x
         np.bitwise_or.at(bits, y >> 6, PLACES.take(y & (WORD - 1)))

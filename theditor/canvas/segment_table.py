@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import cycle, pairwise
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from theditor.canvas.levels import Flags, Floats, Ints, Level, Places, places_of
+from theditor.canvas.raster import Along, Raster
 from theditor.canvas.versions import FEW, changed_share, same_segments, whole_offset
 from theditor.spline import Curve, changed_segments, joints
 from theditor.spline.distinct import distinct
@@ -172,20 +173,14 @@ class SegmentTable:
         forms = self._forms.take(rows, axis=0).T.copy()
         return joints.Segments(forms[0:2], forms[2:4], forms[4:6], forms[6:8], forms[8], forms[9])
 
-    def points(self, rows: Ints, spacing: float, most: float) -> Iterator[Floats] | None:
-        """Points, (2, n) at a time, along some segments, no farther apart than a spacing.
-
-        None if they are to be more than `most`.
-        """
+    def points(self, rows: Ints, spacing: float, most: float) -> Along | None:
+        """Points along some segments, no farther apart than a spacing; None if they are to be more than `most`."""
         steps = self._speeds[rows]
         steps /= spacing
-        return (
-            self._points(rows, steps)
-            if steps.sum() + len(rows) <= most and steps.max(initial=0.0) < 2**14
-            else None
-        )
+        few = steps.sum() + len(rows) <= most and steps.max(initial=0.0) < 2**14
+        return partial(self._points, rows, steps) if few else None
 
-    def _points(self, rows: Ints, steps: Floats) -> Iterator[Floats]:
+    def _points(self, rows: Ints, steps: Floats, raster: Raster) -> Iterator[NDArray[np.float32]]:
         """Points along some segments, in that many equal steps of t or more, and in few different numbers."""
         numbers = np.ceil(steps).astype(np.uint16)
         numbers |= numbers == 0
@@ -199,7 +194,7 @@ class SegmentTable:
             for first in range(begin, end, BLOCK):
                 parts = self.parts_of(rows[first : min(first + BLOCK, end)])
                 number, cubic = divmod(int(keys[first]), 2)
-                yield middles(parts, 2 + cubic, number)
+                yield middles(raster.segments(parts), 2 + cubic, number)
 
     def steps(self, rows: Ints, tolerance: float) -> Ints:
         """Into how many steps of t to cut some segments: one if that was measured to do, else as the bound says."""

@@ -290,10 +290,10 @@ def sample_parts(parts: joints.Segments, degree: int, intervals: NDArray[np.intp
     return Samples(np.arange(len(intervals)), intervals, starts, points.T)
 
 
-def middles(parts: joints.Segments, degree: int, intervals: int) -> Floats:
+def middles(parts: joints.Segments, degree: int, intervals: int) -> NDArray[np.float32]:
     """Return points in the middle of equal steps of t along k segments in joint form, (d, k · intervals)."""
     dimension, count = parts.start.shape
-    points = np.empty((dimension, count, intervals))
+    points = np.empty((dimension, count, intervals), dtype=np.float32)
     _fill(parts, generators(intervals, degree, middle=True), points)
     return points.reshape(dimension, -1)
 
@@ -313,10 +313,11 @@ def generators(intervals: int, degree: int, *, middle: bool = False) -> Floats:
     return matrix
 
 
-def _fill(segments: joints.Segments, matrix: Floats, out: Floats) -> None:
+def _fill(segments: joints.Segments, matrix: Floats, out: NDArray[Any]) -> None:
     """Write the points of the segments, at the parameters of the matrix, into `out`, (d, k, samples)."""
     dimension, count = segments.start.shape
-    scratch = np.empty((dimension, len(matrix), min(count, _BLOCK)))
+    scratch = np.empty((dimension, len(matrix), min(count, _BLOCK)), dtype=out.dtype)
+    matrix = matrix.astype(out.dtype, copy=False)
     for first in range(0, count, _BLOCK):
         block = slice(first, first + _BLOCK)
         rows = scratch[:, :, : count - first]
