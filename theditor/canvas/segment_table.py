@@ -130,8 +130,8 @@ class SegmentTable:
             self.level.codes[where] = curve.codes_of(segments)
         self._measure(changed)
         shifted = np.flatnonzero(moved[self.owner])
-        self._shift(shifted, offsets.take(self.owner[shifted], axis=1))
-        return np.sort(np.concatenate((changed, shifted)))
+        self._shift(places_of(shifted), offsets)
+        return np.sort(np.concatenate((changed, shifted))) if len(changed) else shifted
 
     def _rough_count(self, changes: Sequence[tuple[int, Curve, Curve]]) -> float:
         """About how many segments are to be measured anew, judged by a few of the curves that have changed."""
@@ -145,12 +145,13 @@ class SegmentTable:
         counts = np.diff(self.begins)[[place for place, *_ in changes]]
         return share / max(len(some), 1) * float(counts.sum())
 
-    def _shift(self, rows: Ints, offsets: Floats) -> None:
-        """Move some segments by an offset each, (2, n)."""
-        corners = (*self.level.low, *self.level.high, *self.ends)
-        for row, offset in zip(corners, cycle(offsets)):
-            row[rows] += offset
-        self._forms[rows, :4] += np.concatenate((offsets, offsets)).T
+    def _shift(self, where: Places, offsets: Floats) -> None:
+        """Move some segments by the offsets of their curves, (2, curves)."""
+        own = offsets.take(self.owner[where], axis=1)
+        for row, offset in zip(
+            (*self.level.low, *self.level.high, *self.ends, *self._forms.T[:4]), cycle(own)
+        ):
+            row[where] += offset
 
     def _measure(self, rows: Ints) -> None:
         """Compute boxes, ends and bounds of some segments, ascending."""

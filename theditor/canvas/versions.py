@@ -14,6 +14,7 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.intp]
 Array = NDArray[Any]
 
+_EPSILON = float(np.finfo(np.float64).eps)
 SAMPLE = 64
 """About so many of the control points are compared to see in how many they differ."""
 FEW = 16
@@ -31,14 +32,20 @@ def whole_offset(old: Curve, new: Curve, slight: float) -> Floats | None:
     if (old.degree, old.closed, old.ends) != (new.degree, new.closed, new.ends):
         return None
     offset: Floats = other[0] - one[0]
-    length = np.abs(offset).max()
-    rounding = 4 * np.finfo(np.float64).eps * (np.abs(one).max() + length)
+    length = max(map(abs, offset.tolist()))
+    rounding = 4 * _EPSILON * (_size(one) + length)
     if not rounding < min(length / 2, slight):  # shorter ways could be of some points alone
         return None
-    for offsets in (other[-1:] - one[-1:], other - one):
-        if np.abs(offsets - offset).max() > rounding:
-            return None
-    return offset
+    if _size(other[-1] - one[-1] - offset) > rounding:
+        return None
+    away = other - one
+    away -= offset
+    return offset if _size(away) <= rounding else None
+
+
+def _size(values: Floats) -> float:
+    """The largest absolute value; of a short array most of the time goes into calling NumPy."""
+    return float(np.maximum.reduce(np.abs(values), axis=None))
 
 
 def changed_share(old: Curve, new: Curve) -> float:
