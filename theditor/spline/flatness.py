@@ -60,14 +60,14 @@ def flatness(segments: Segments, degree: int) -> Flatness:
     x, y = weights @ along, weights[:, :4] @ across
     beyond = np.maximum(x - along[4], -x).max(axis=0).clip(0.0).astype(np.float64)
     away = np.maximum(y.max(axis=0), -y.min(axis=0)).astype(np.float64)
-    x, y = x[2::2] - x[:-2:2], y[2::2] - y[:-2:2]
-    fastest = np.sqrt((x * x + y * y).max(axis=0), dtype=np.float64) * (STEPS / 2)
+    x, y = x[1:] - x[:-1], y[1:] - y[:-1]
+    fastest = np.sqrt((x * x + y * y).max(axis=0), dtype=np.float64) * STEPS
     return Flatness(
         start,
         end,
         np.sqrt(away * away + beyond * beyond) + turning / (8 * STEPS**2),
         turning,
-        fastest + turning / STEPS,
+        fastest + turning / (2 * STEPS),
     )
 
 
