@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     from theditor.spline.curve import Curve
 
 
+_SMALL = 10_000  # numbers are copied sooner than two rows are put together
+
+
 class Segments(NamedTuple):
     """Some segments of a curve in joint form; a quadratic has `start` = `end`."""
 
@@ -38,8 +41,10 @@ class Segments(NamedTuple):
 
 
 def _taken(part: Floats, indices: NDArray[np.intp]) -> Floats:
-    """Some columns; NumPy would copy a part that shares its memory as a whole before it takes two rows together."""
-    return part.take(indices) if part.ndim == 1 else np.stack([row.take(indices) for row in part])
+    """Some columns; where rows share a part's memory with others, NumPy would copy all of it to take from both."""
+    if part.ndim == 1 or part.size < _SMALL:
+        return part.take(indices, axis=-1)
+    return np.stack([row.take(indices) for row in part])
 
 
 def all_segments(curve: "Curve") -> Segments:
