@@ -1,9 +1,11 @@
 """What can be asked of a foreign format, and how a wish that cannot be met is refused."""
 
+import numpy as np
 import pytest
 
-from theditor.drawing import Drawing, DrawingError
+from theditor.drawing import Drawing, DrawingError, Item
 from theditor.exchange import FORMATS, Options, read, readable, writable, write
+from theditor.spline import Curve
 
 
 @pytest.mark.parametrize(
@@ -45,3 +47,24 @@ def test_what_only_goes_out_cannot_be_read():
     assert set(readable()) < set(writable()) == set(FORMATS)
     with pytest.raises(DrawingError, match=r"'\.PNG' cannot be read"):
         read(b"", ".PNG")
+
+
+@pytest.mark.parametrize("suffix", writable())
+def test_writing_tells_its_progress_and_can_be_called_off(qapp, suffix):
+    rng = np.random.default_rng(1)
+    drawing = Drawing(Item(Curve(rng.normal(size=(6, 2)))) for _ in range(9))
+    shares = []
+    written = write(drawing, suffix, progress=shares.append)
+    assert shares == sorted(shares)
+    assert 0 == shares[0] < shares[-1] < 1
+    assert written == write(drawing, suffix)
+
+    class EnoughError(Exception):
+        pass
+
+    def stop(share):
+        if share == shares[-1]:
+            raise EnoughError
+
+    with pytest.raises(EnoughError):
+        write(drawing, suffix, progress=stop)

@@ -151,3 +151,24 @@ def test_many_points_are_inserted_and_removed_together(degree, kind, every):
     tail = edge_at(curve, places[-1]) + 6
     for other in (curve, fewer.curve):
         np.testing.assert_array_equal(other.control_points[tail:], more.curve.control_points[tail + 24 :])
+
+
+def test_many_points_at_once_tell_their_progress_and_can_be_called_off():
+    curve = Curve(np.random.default_rng(1).normal(size=(200, 2)).cumsum(axis=0))
+    places = np.arange(10, 190, 4)
+    shares, runs = [], []
+    insert_many(curve, places + 0.5, shares.append)
+    remove(curve, places, progress=runs.append)
+    for told, most in ((shares, 1), (runs, len(places))):
+        assert told == sorted(told)
+        assert 0 == told[0] < told[-1] < most
+
+    def stop(share):
+        raise KeyboardInterrupt
+
+    for edit in (
+        lambda: insert_many(curve, places + 0.5, stop),
+        lambda: remove(curve, places, progress=stop),
+    ):
+        with pytest.raises(KeyboardInterrupt):
+            edit()

@@ -63,7 +63,9 @@ class Clipboard:
                     clipboard.setMimeData(carried(text, made))
 
             clipboard.setMimeData(carried(text, {}))
-            window.work.start(f"Copying {named} as a picture", lambda _: pictures(items, scale), add)
+            window.work.start(
+                f"Copying {named} as a picture", lambda report: pictures(items, scale, report), add
+            )
         window.announce(f"Copied {named}: paste {them} here, as text, or into a drawing program.")
         return named
 

@@ -39,22 +39,26 @@ def carried(text: bytes, made: Mapping[str, bytes]) -> QMimeData:
     return data
 
 
-def pictures(items: Sequence[Item], scale: float, *, painted: bool = False) -> dict[str, bytes]:
+def pictures(
+    items: Sequence[Item], scale: float, progress: Progress | None = None, *, painted: bool = False
+) -> dict[str, bytes]:
     """Return pictures of curves by their type: lines and, if asked for, pixels.
 
     Parameters
     ----------
     scale
         Pixels of the picture per unit.
+    progress
+        Told the share of each picture that is done.
     """
     shown = Drawing(item.with_(visible=True) for item in items)
     extent = float(
         np.ptp(np.concatenate([projected(item.curve).control_points for item in items]), axis=0).max()
     )
     options = Options(scale=min(scale, LARGEST / extent if extent else scale) * MM_PER_PIXEL)
-    made = {SVG_TYPE: write(shown, ".svg", options).data}
+    made = {SVG_TYPE: write(shown, ".svg", options, progress).data}
     if painted:
-        made[PNG_TYPE] = write(shown, ".png", options).data
+        made[PNG_TYPE] = write(shown, ".png", options, progress).data
     return made
 
 

@@ -47,7 +47,7 @@ def export(window: MainWindow, drawing: Drawing, path: Path, options: Options) -
     name = f"“{shown(path.name)}”"
 
     def work(progress: Progress) -> Written:
-        written = write(drawing, path.suffix, options)
+        written = write(drawing, path.suffix, options, lambda share: progress(0.9 * share))
         progress(0.9)  # once called off, nothing is written
         write_atomically(path, written.data)
         return written

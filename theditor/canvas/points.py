@@ -91,7 +91,7 @@ def _inserted(curve: Curve, places: list[float], report: Report) -> _Inserted:
     places = sorted(places, reverse=True)
     new = np.sort([edits.edge_at(curve, u) + 1 for u in places]) + np.arange(len(places))
     if len(places) > AT_ONCE:
-        curve, change = edits.insert_many(curve, places)
+        curve, change = edits.insert_many(curve, places, lambda share: report(share * len(places)))
         return _Inserted(curve, new.tolist(), change)
     for number, u in enumerate(places):
         report(number)

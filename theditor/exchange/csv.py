@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from theditor.drawing import Drawing
-from theditor.exchange.options import DEFAULTS, Options, Written
-from theditor.exchange.scene import box, remarks, visible
+from theditor.exchange.options import DEFAULTS, Options, Progress, Written, watched
+from theditor.exchange.scene import MEASURED, box, remarks, visible
 from theditor.spline import Curve, arc_length, curvature, intervals_for, parameter_at
 
 Floats = NDArray[np.float64]
@@ -21,7 +21,7 @@ _MOST: Final = 2**16  # steps of a segment
 _PROBES: Final = 7  # places on a chord where its distance from the curve is measured
 
 
-def write(drawing: Drawing, options: Options = DEFAULTS) -> Written:
+def write(drawing: Drawing, options: Options = DEFAULTS, progress: Progress | None = None) -> Written:
     """Write points of the visible curves as a table with a header line, x and y first.
 
     Columns are ``curve`` (its name, if there are several), ``x``, ``y``, ``z`` (if any curve is in space; 0 for
@@ -30,7 +30,7 @@ def write(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     begins there counts. By tolerance, the deviation is that of the chords; the points themselves are exact.
     """
     curves = visible(drawing)
-    *_, size = box([item.curve for item in curves])
+    *_, size = box([item.curve for item in curves], progress)
     axes = "xyz" if any(item.curve.dimension == 3 for item in curves) else "xy"
     header = [*(["curve"] if len(curves) > 1 else []), *axes, "u"]
     header += ["length"] if options.sampling == "length" else []
@@ -40,7 +40,7 @@ def write(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     table = csv.writer(stream, lineterminator="\n")
     table.writerow(header)
     deviation = 0.0
-    for item in curves:
+    for item in watched(curves, progress, MEASURED):
         u, length, off = _places(item.curve, options, options.tolerance * size)
         deviation = max(deviation, off)
         columns = [column.tolist() for column in _columns(item.curve, u, length, options, len(axes))]

@@ -18,8 +18,8 @@ from ezdxf.lldxf import const
 from numpy.typing import NDArray
 
 from theditor.drawing import Drawing, Item
-from theditor.exchange.options import DEFAULTS, Options, Written
-from theditor.exchange.scene import MM_PER_PIXEL, box, remarks, visible
+from theditor.exchange.options import DEFAULTS, Options, Progress, Written, watched
+from theditor.exchange.scene import COLLECTED, MEASURED, MM_PER_PIXEL, box, remarks, visible
 from theditor.spline import Outline, Piece, outline
 
 Floats = NDArray[np.float64]
@@ -32,7 +32,7 @@ _EXACT: Final = 1e-9  # of the drawing's size, which counts as exact
 _SAME: Final = 1e-12  # relative difference of ellipses that are one
 
 
-def write(drawing: Drawing, options: Options = DEFAULTS) -> Written:
+def write(drawing: Drawing, options: Options = DEFAULTS, progress: Progress | None = None) -> Written:
     """Write the visible curves, each on a layer of its name and colour, one unit as one millimetre.
 
     Straight segments become lines and polylines, elliptical arcs ellipses, a quadratic's hyperbola arcs
@@ -41,18 +41,20 @@ def write(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     """
     with _unmarked():
         document = new(_VERSION, units=_MILLIMETRES)
-        deviation = _add_curves(document, visible(drawing), options.tolerance)
+        deviation = _add_curves(document, visible(drawing), options.tolerance, progress)
         stream = io.StringIO(newline="")
         document.write(stream)
     return Written(stream.getvalue().encode(), deviation, ("1 unit is 1 mm.", *remarks(drawing, plane=False)))
 
 
-def _add_curves(document: Document, curves: Sequence[Item], tolerance: float) -> float:
+def _add_curves(
+    document: Document, curves: Sequence[Item], tolerance: float, progress: Progress | None
+) -> float:
     """Add curves, each with its layer, and return the largest deviation."""
-    *_, size = box([item.curve for item in curves])
+    *_, size = box([item.curve for item in curves], progress)
     deviation = 0.0
     taken = {"", "0", "defpoints"}
-    for item in curves:
+    for item in watched(curves, progress, MEASURED, COLLECTED):
         layer = document.layers.add(_layer_name(item.name, taken))
         layer.rgb = tuple(bytes.fromhex(item.color[1:]))  # type: ignore[assignment]
         hundredths = 100 * MM_PER_PIXEL * item.width

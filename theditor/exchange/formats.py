@@ -13,7 +13,7 @@ class Format(NamedTuple):
     """A foreign format; its reader and writer are ``module:function`` of this package, imported when called."""
 
     name: str
-    writer: str | None  # (drawing, options) → Written
+    writer: str | None  # (drawing, options, progress) → Written
     reader: str | None = None  # (data, options, progress) → Imported
 
 
@@ -38,7 +38,9 @@ def readable() -> tuple[str, ...]:
     return tuple(suffix for suffix, form in FORMATS.items() if form.reader)
 
 
-def write(drawing: Drawing, suffix: str, options: Options = DEFAULTS) -> Written:
+def write(
+    drawing: Drawing, suffix: str, options: Options = DEFAULTS, progress: Progress | None = None
+) -> Written:
     """Turn a drawing into the bytes of a file in a foreign format. Hidden curves are left out.
 
     Parameters
@@ -48,6 +50,8 @@ def write(drawing: Drawing, suffix: str, options: Options = DEFAULTS) -> Written
     suffix : str
         One of `writable`, such as ``".svg"``, in either case.
     options : Options
+    progress : callable, optional
+        Told now and then which share of the work is done, 0 to 1; what it raises ends the work.
 
     Raises
     ------
@@ -57,7 +61,7 @@ def write(drawing: Drawing, suffix: str, options: Options = DEFAULTS) -> Written
     form = FORMATS.get(suffix.lower())
     if form is None or form.writer is None:
         raise DrawingError(_no_format(suffix, "written", writable()))
-    written: Written = _function(form.writer)(drawing, options)
+    written: Written = _function(form.writer)(drawing, options, progress)
     return written
 
 

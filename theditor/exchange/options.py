@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Final, Literal, TypeVar
 
 from theditor.drawing import Drawing, DrawingError
 
 Progress = Callable[[float], None]
-"""Told the share of the work that is done, 0 to 1."""
+"""Told the share of the work that is done, 0 to 1; what it raises ends the work."""
+T = TypeVar("T")
 
 PARTS: Final = ("polygon", "points", "labels", "comb")
 """What a picture can show besides the curves."""
@@ -138,3 +139,13 @@ def told(deviation: float, notes: Sequence[str]) -> str:
     """Return in one line how far what was written or read is from the original, and what else is to be known."""
     first = "Exact." if deviation == 0 else f"The largest deviation is {deviation:.2g} units."
     return " ".join([first, *notes])
+
+
+def watched(
+    items: Sequence[T], progress: Progress | None, begin: float = 0.0, end: float = 1.0
+) -> Iterator[T]:
+    """Yield items, and tell before each which share of the work is done: from `begin` to `end` with them all."""
+    for number, item in enumerate(items):
+        if progress is not None:
+            progress(begin + (end - begin) * number / len(items))
+        yield item

@@ -25,9 +25,10 @@ from PySide6.QtGui import (
 )
 
 from theditor.drawing import Drawing, DrawingError
-from theditor.exchange.options import DEFAULTS, MOST_PIXELS, PAGE, PIXELS, Options, Written
+from theditor.exchange.options import DEFAULTS, MOST_PIXELS, PAGE, PIXELS, Options, Progress, Written, watched
 from theditor.exchange.scene import (
     BLACK,
+    COLLECTED,
     COMB,
     INCH,
     LABEL,
@@ -51,7 +52,7 @@ _TIMES: Final = re.compile(rb'/(?:CreationDate|ModDate) \(D:[^)]*\)|xmp:\w+Date=
 _FAMILIES: Final = ("Times New Roman", "Times", "Liberation Serif", "DejaVu Serif", "serif")
 
 
-def write_png(drawing: Drawing, options: Options = DEFAULTS) -> Written:
+def write_png(drawing: Drawing, options: Options = DEFAULTS, progress: Progress | None = None) -> Written:
     """Paint the visible curves as a PNG, `options.size` pixels long.
 
     Raises
@@ -61,7 +62,7 @@ def write_png(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     """
     _application()
     scale = options.dpi / INCH
-    shown = scene(drawing, options, size=(options.size or PIXELS) / scale, arcs=False)
+    shown = scene(drawing, options, size=(options.size or PIXELS) / scale, arcs=False, progress=progress)
     longest = max(shown.size) * scale
     if longest > MOST_PIXELS + 0.5:
         raise DrawingError(
@@ -78,8 +79,10 @@ def write_png(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     image.setDotsPerMeterY(round(options.dpi / INCH * 1000))
     painter = QPainter(image)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    _paint(painter, shown, scale, options.print_style)
-    painter.end()
+    try:
+        _paint(painter, shown, scale, options.print_style, progress)
+    finally:
+        painter.end()
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     QImageWriter(buffer, QByteArray(b"png")).write(image)
@@ -87,7 +90,7 @@ def write_png(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     return Written(bytes(buffer.data().data()), shown.deviation, notes)
 
 
-def write_pdf(drawing: Drawing, options: Options = DEFAULTS) -> Written:
+def write_pdf(drawing: Drawing, options: Options = DEFAULTS, progress: Progress | None = None) -> Written:
     """Paint the visible curves as a PDF of one page, `options.size` millimetres long, in cubic Béziers.
 
     Raises
@@ -96,7 +99,7 @@ def write_pdf(drawing: Drawing, options: Options = DEFAULTS) -> Written:
         If the page would be larger or smaller than the format allows.
     """
     _application()
-    shown = scene(drawing, options, size=options.size or PAGE, arcs=False)
+    shown = scene(drawing, options, size=options.size or PAGE, arcs=False, progress=progress)
     if not _PDF_SMALLEST <= max(shown.size) <= _PDF_LARGEST:
         raise DrawingError(
             f"A PDF page must be {_PDF_SMALLEST:g} to {_PDF_LARGEST:g} mm long, not {max(shown.size):.6g} mm: "
@@ -111,8 +114,10 @@ def write_pdf(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     writer.setCreator("theditor")
     writer.setDocumentId(QUuid(_ID))
     painter = QPainter(writer)
-    _paint(painter, shown, _PDF_DPI / INCH, options.print_style)
-    painter.end()
+    try:
+        _paint(painter, shown, _PDF_DPI / INCH, options.print_style, progress)
+    finally:
+        painter.end()
     # Without the time the same drawing gives the same bytes; blanks keep every offset in the file.
     data = _TIMES.sub(lambda found: b" " * len(found[0]), bytes(buffer.data().data()))
     return Written(data, shown.deviation, shown.notes)
@@ -124,7 +129,9 @@ def _application() -> QGuiApplication:
     return QGuiApplication.instance() or QGuiApplication(["theditor", "-platform", "offscreen"])  # type: ignore[return-value]
 
 
-def _paint(painter: QPainter, shown: Scene, scale: float, print_style: bool) -> None:
+def _paint(
+    painter: QPainter, shown: Scene, scale: float, print_style: bool, progress: Progress | None
+) -> None:
     """Paint a scene at `scale` units of the painter for each millimetre."""
     zoom = shown.unit * scale
     factor = np.array((zoom, -zoom))
@@ -139,7 +146,7 @@ def _paint(painter: QPainter, shown: Scene, scale: float, print_style: bool) -> 
             comb.addPath(_chain(chain * factor + shift))
         painter.strokePath(comb, QPen(faint, THIN / 2 * line))
         painter.strokePath(_chain(figure.polygon * factor + shift), QPen(grey, THIN * line))
-    for figure in shown.figures:
+    for figure in watched(shown.figures, progress, COLLECTED, 1.0):
         for stroke in figure.strokes:
             path = _path(stroke.outline.scaled(factor, shift))
             painter.strokePath(path, _pen(figure, stroke, line))

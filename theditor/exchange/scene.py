@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from theditor.drawing import Drawing, Item
-from theditor.exchange.options import Options
+from theditor.exchange.options import Options, Progress, watched
 from theditor.spline import Curve, Outline, bounds, curvature, outline, projected
 from theditor.spline.extent import extent
 from theditor.spline.numerals import counted
@@ -35,6 +35,8 @@ LABEL: Final = 3.6
 TEETH: Final = 24
 """Teeth of the comb on each segment, fewer on a very long curve."""
 MOST_TEETH: Final = 48_000
+MEASURED, COLLECTED = 0.4, 0.7
+"""Shares of the work done when the curves are measured, and when all that is shown of them is collected."""
 _DASHES: Final[tuple[tuple[float, ...], ...]] = ((), (2.4, 1.2), (2.8, 0.9, 0.5, 0.9), (0.5, 0.8))
 """In print style, in mm: trigonometric, hyperbolic, interpolating, blend."""
 PRINTED: Final = frozenset({"polygon", "points", "labels"})
@@ -92,7 +94,9 @@ class Scene:
         return millimetres * self.line / self.unit
 
 
-def scene(drawing: Drawing, options: Options, *, size: float | None, arcs: bool) -> Scene:
+def scene(
+    drawing: Drawing, options: Options, *, size: float | None, arcs: bool, progress: Progress | None
+) -> Scene:
     """Collect what a picture shows.
 
     Parameters
@@ -103,10 +107,12 @@ def scene(drawing: Drawing, options: Options, *, size: float | None, arcs: bool)
         Longer side of the picture in mm, unless the options have a scale; None for 1 mm for each unit.
     arcs : bool
         Whether what draws it knows elliptical arcs.
+    progress : callable or None
+        Told the share of the work that is done, up to `COLLECTED`.
     """
     shown = [(item, projected(item.curve)) for item in visible(drawing)]
     show = options.show | PRINTED if options.print_style else options.show
-    low, high, whole = box([curve for _, curve in shown])
+    low, high, whole = box([curve for _, curve in shown], progress)
     around = [low, high]
     combs = []
     for _, curve in shown:
@@ -127,7 +133,7 @@ def scene(drawing: Drawing, options: Options, *, size: float | None, arcs: bool)
         unit = (size - 2 * margin) / longest
     figures = tuple(
         _figure(item, curve, options, show, options.tolerance * whole, arcs, line / unit, *comb)
-        for (item, curve), comb in zip(shown, combs, strict=True)
+        for (item, curve), comb in zip(watched(shown, progress, MEASURED, COLLECTED), combs, strict=True)
     )
     deviation = max((stroke.outline.deviation for each in figures for stroke in each.strokes), default=0.0)
     notes = (f"1 unit is {unit:.6g} mm.", *remarks(drawing, plane=True))
@@ -139,16 +145,19 @@ def visible(drawing: Drawing) -> list[Item]:
     return [item for item in drawing if item.visible]
 
 
-def box(curves: Sequence[Curve]) -> tuple[Floats, Floats, float]:
+def box(curves: Sequence[Curve], progress: Progress | None = None) -> tuple[Floats, Floats, float]:
     """Return the corners of the box around curves, and its longer side.
 
     The longer side is what tolerances are relative to; 1 if there is no extent. A plane curve among those in
-    space lies at z = 0. Of no curves it is the unit square.
+    space lies at z = 0. Of no curves it is the unit square. A progress is told up to `MEASURED`.
     """
     if not curves:
         return np.zeros(2), np.ones(2), 1.0
     dimension = max(curve.dimension for curve in curves)
-    corners = [np.pad(bounds(curve, 1e-6), ((0, 0), (0, dimension - curve.dimension))) for curve in curves]
+    corners = [
+        np.pad(bounds(curve, 1e-6), ((0, 0), (0, dimension - curve.dimension)))
+        for curve in watched(curves, progress, 0.0, MEASURED)
+    ]
     low, high = np.min(corners, axis=0)[0], np.max(corners, axis=0)[1]
     return low, high, _longer(low, high)
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from theditor.drawing import Drawing
 from theditor.exchange.embedded import metadata
-from theditor.exchange.options import DEFAULTS, PARTS, Options, Written
+from theditor.exchange.options import DEFAULTS, PARTS, Options, Progress, Written
 from theditor.exchange.scene import BLACK, COMB, LABEL, POINT, POLYGON, THIN, Scene, Stroke, scene
 from theditor.spline import path_data
 
@@ -23,13 +23,13 @@ _UPWARD: Final = (1.0, -1.0)
 _UNFIT: Final = str.maketrans({"\ufffe": "\ufffd", "\uffff": "\ufffd"})  # letters that XML cannot hold
 
 
-def write(drawing: Drawing, options: Options = DEFAULTS) -> Written:
+def write(drawing: Drawing, options: Options = DEFAULTS, progress: Progress | None = None) -> Written:
     """Draw the visible curves as SVG, each as one path, or in print style one for each run of a mode.
 
     Coordinates are those of the drawing, y negated, to the last digit; width and height are in millimetres.
     Whatever else is shown lies in groups with ids as in `PARTS`. The whole drawing rides along as metadata.
     """
-    shown = scene(drawing, options, size=options.size, arcs=True)
+    shown = scene(drawing, options, size=options.size, arcs=True, progress=progress)
     colour = BLACK if options.print_style else POLYGON
     picture = "".join(
         (*_comb(shown), *_polygons(shown, colour), *_curves(shown), *_points(shown, colour), *_labels(shown))

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from theditor.drawing import Drawing, DrawingError
-from theditor.exchange.options import DEFAULTS, PAGE, Options, Written
+from theditor.exchange.options import DEFAULTS, PAGE, Options, Progress, Written
 from theditor.exchange.scene import BLACK, COMB, POINT, POLYGON, THIN, Figure, Scene, Stroke, scene
 from theditor.spline import Outline, Piece
 
@@ -19,7 +19,7 @@ _LARGEST: Final = 5000.0  # TeX has no lengths of more than some 5.7 m
 _ROUNDING: Final = 0.75e-6  # mm, of numbers with 6 decimals; TeX keeps fewer
 
 
-def write(drawing: Drawing, options: Options = DEFAULTS) -> Written:
+def write(drawing: Drawing, options: Options = DEFAULTS, progress: Progress | None = None) -> Written:
     r"""Draw the visible curves as one `tikzpicture` in a document of class `standalone`.
 
     Coordinates are millimetres from the lower left corner. Curves are lines and cubic Béziers; labels are set
@@ -30,7 +30,7 @@ def write(drawing: Drawing, options: Options = DEFAULTS) -> Written:
     DrawingError
         If the picture is larger than TeX can measure.
     """
-    shown = scene(drawing, options, size=options.size or PAGE, arcs=False)
+    shown = scene(drawing, options, size=options.size or PAGE, arcs=False, progress=progress)
     if max(shown.size) > _LARGEST:
         raise DrawingError(f"TeX cannot draw pictures longer than {_LARGEST:g} mm: ask for a smaller size.")
     width, height = shown.size

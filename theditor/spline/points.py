@@ -52,7 +52,7 @@ def insert(curve: Curve, u: float) -> Edited:
     return _resized(curve, edge_at(curve, u) + 1, 1)
 
 
-def insert_many(curve: Curve, u: ArrayLike) -> Edited:
+def insert_many(curve: Curve, u: ArrayLike, progress: Callable[[float], None] | None = None) -> Edited:
     """Return the curve with a control point more at each of many places, all refitted together.
 
     As `insert` at one place after the other, but much quicker, and the new λ are those in between unless others
@@ -63,6 +63,8 @@ def insert_many(curve: Curve, u: ArrayLike) -> Edited:
     curve : Curve
     u : array_like, shape (k,)
         Where on the curve, within its domain.
+    progress : callable, optional
+        Told now and then about which share of the work is done, 0 to 1; what it raises ends the work.
 
     Raises
     ------
@@ -76,7 +78,11 @@ def insert_many(curve: Curve, u: ArrayLike) -> Edited:
     edge, first, of = np.unique(edges, return_index=True, return_counts=True)
     if of.max() > _CROWD:
         change = 0.0
-        for place in sorted(np.ravel(u).tolist(), reverse=True):  # those to come stay where they are
+        for number, place in enumerate(
+            sorted(np.ravel(u).tolist(), reverse=True)
+        ):  # those to come stay there
+            if progress is not None:
+                progress(number / len(edges))
             curve, more = insert(curve, place)
             change += more
         return Edited(curve, change)
@@ -87,7 +93,7 @@ def insert_many(curve: Curve, u: ArrayLike) -> Edited:
     order = np.argsort(every, kind="stable")
     between = np.array([_lambda_between(curve, index + 1) for index in edges])
     lambdas = np.concatenate((curve.lambdas, between))[order]
-    return Edited(*respread(curve, every[order], lambdas, order >= count))
+    return Edited(*respread(curve, every[order], lambdas, order >= count, progress))
 
 
 def edge_at(curve: Curve, u: float) -> int:
@@ -131,7 +137,7 @@ def insert_on_edge(curve: Curve, edge: int, fraction: float = 0.5) -> Edited:
 
 
 def remove(
-    curve: Curve, indices: ArrayLike, refit: bool = True, progress: Callable[[int], None] | None = None
+    curve: Curve, indices: ArrayLike, refit: bool = True, progress: Callable[[float], None] | None = None
 ) -> Edited:
     """Return the curve with some control points fewer.
 
@@ -147,7 +153,7 @@ def remove(
         Whether three control points on either side of each run are refitted, so that the shape changes
         least, or all are left alone.
     progress : callable, optional
-        Told how many runs are refitted, before each; of many nothing, since they are refitted together.
+        Told now and then about how many runs are refitted; what it raises ends the work.
 
     Raises
     ------
@@ -163,7 +169,9 @@ def remove(
     result = curve
     runs = _runs(where, stay)
     if refit and len(runs) > _MANY:
-        result, change = _without_many(curve, stay)
+        result, change = _without_many(
+            curve, stay, lambda share: progress(share * len(runs)) if progress is not None else None
+        )
         if curve.closed or (stay[0] == 0 and stay[-1] == count - 1):
             return Edited(result, change)
     elif refit:
@@ -193,14 +201,15 @@ def _runs(where: Indices, stay: Indices) -> list[Indices]:
     return np.split(where, np.flatnonzero(np.diff(where) > 1) + 1)
 
 
-def _without_many(curve: Curve, stay: Indices) -> Edited:
+def _without_many(curve: Curve, stay: Indices, progress: Callable[[float], None]) -> Edited:
     """Return the curve with only some control points, those around the others refitted together."""
     count = len(curve.control_points)
     begin, end = (0, count) if curve.closed else (int(stay[0]), int(stay[-1]) + 1)
     # The ends of an open curve go with their points.
     inner = curve.with_(control_points=curve.control_points[begin:end], lambdas=curve.lambdas[begin:end])
     places = (stay - begin).astype(np.float64)
-    return Edited(*respread(inner, places, curve.lambdas[stay], np.zeros(len(stay), dtype=np.bool_)))
+    fresh = np.zeros(len(stay), dtype=np.bool_)
+    return Edited(*respread(inner, places, curve.lambdas[stay], fresh, progress))
 
 
 def _without(curve: Curve, run: Indices) -> Curve:

@@ -5,7 +5,7 @@ each given point may be met anywhere: the distance across the curve counts, that
 after each step every parameter moves to the foot of its point (tangent distance minimisation).
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Final
 
 import numpy as np
@@ -125,6 +125,7 @@ def refitted(
     steps: int = 12,
     bounds: tuple[float, float] = PULL_BOUNDS,
     enough: float = _ENOUGH,
+    progress: Callable[[float], None] | None = None,
 ) -> tuple[Curve, Floats]:
     """Return the curve with some control points moved, and some λ changed, to come near to targets.
 
@@ -146,6 +147,8 @@ def refitted(
         Of the λ that may change.
     enough : float
         Gain of a step, relative, below which the next is not worth its time.
+    progress : callable, optional
+        Told the share of the steps that are done, before each; what it raises ends the work.
 
     Returns
     -------
@@ -166,7 +169,9 @@ def refitted(
 
     first = u
     u, miss, misses = settled(curve, u)
-    for _ in range(steps):
+    for step in range(steps):
+        if progress is not None:
+            progress(step / steps)
         move, turn = _step(curve, miss, u, free, bent, importance)
         length, before = 1.0, misses
         while length > 0.1:

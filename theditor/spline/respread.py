@@ -1,5 +1,6 @@
 """Control points spread anew where many come in or go, all of them refitted together."""
 
+from collections.abc import Callable
 from typing import Final
 
 import numpy as np
@@ -19,7 +20,13 @@ WORTH: Final = 0.5
 _STILL: Final = 1e-9
 
 
-def respread(curve: Curve, places: Floats, lambdas: Floats, fresh: NDArray[np.bool_]) -> tuple[Curve, float]:
+def respread(
+    curve: Curve,
+    places: Floats,
+    lambdas: Floats,
+    fresh: NDArray[np.bool_],
+    progress: Callable[[float], None] | None = None,
+) -> tuple[Curve, float]:
     """Return a curve with other control points whose shape is as near as can be, and the deviation.
 
     Parameters
@@ -31,6 +38,8 @@ def respread(curve: Curve, places: Floats, lambdas: Floats, fresh: NDArray[np.bo
     lambdas : ndarray, shape (n,)
     fresh : ndarray of bool, shape (n,)
         Which of them are new; their λ may change, if that at least halves the change of shape.
+    progress : callable, optional
+        Told now and then about which share of the work is done, 0 to 1; what it raises ends the work.
     """
     count, n, first = len(curve.control_points), len(places), curve.first_segment
     even = _evened(places, count, curve.closed)
@@ -70,11 +79,15 @@ def respread(curve: Curve, places: Floats, lambdas: Floats, fresh: NDArray[np.bo
     u, v = u[near], v[near]
     held = np.zeros(len(u), dtype=np.bool_) if curve.closed else (u == 0) | (u == old)
     targets = curve(u % old if curve.closed else u)
-    fitted, v = refitted(start, targets, v, free, held=held)
+
+    def half(begin: float) -> Callable[[float], None]:
+        return lambda share: progress(begin + share / 2) if progress is not None else None
+
+    fitted, v = refitted(start, targets, v, free, held=held, progress=half(0.0))
     best = fitted, deviation(curve, fitted, met, meets)
     bent = np.flatnonzero(fresh & start.active_lambdas)
     if len(bent):
-        fitted, _ = refitted(fitted, targets, v, free, bent, held)
+        fitted, _ = refitted(fitted, targets, v, free, bent, held, progress=half(0.5))
         apart = deviation(curve, fitted, met, meets)
         if apart <= WORTH * best[1]:
             best = fitted, apart
