@@ -54,6 +54,15 @@ def test_the_comb_stands_outside_and_is_as_long_as_the_curvature(canvas):
     assert any(longer.pixel(x + i, y) != combed.pixel(x + i, y) for i in range(-2, 3))
 
 
+def test_teeth_reach_into_view_from_segments_beside_it(canvas):
+    circle = Curve(CIRCLE, degree=2, closed=True)
+    show(canvas, circle, comb=True)
+    canvas.set_shown(comb_length=16.0)
+    plane = canvas.plane
+    canvas.show_view(3.5 + plane.width / plane.scale / 2, 0, plane.scale)
+    assert hue_share(canvas.grab().toImage(), LIGHT.comb) > 20
+
+
 def test_the_comb_is_coloured_by_sign(canvas):
     wave = Curve([[0, 0], [1, 2], [2, -2], [3, 2], [4, -2], [5, 0]])
     image = show(canvas, wave, comb=True)

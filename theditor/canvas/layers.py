@@ -24,6 +24,7 @@ import numpy as np
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 
+from theditor.canvas.comb import LONGEST, MOST_TEETH
 from theditor.canvas.curves import CurvesPainter, paint_ghost, paint_modes, paint_segments
 from theditor.canvas.handles import Detail, detail
 from theditor.canvas.labels import MOST
@@ -206,6 +207,11 @@ class Layers:
         curve = self._curves.plane_curve(index)
         segments = self._curves.seen(index, frame.plane)
         self._details[index] = detail(curve, frame.plane, segments)
+        if index == frame.current and frame.shown.comb:
+            # Teeth may reach into view from beside it.
+            around = self._curves.seen(index, frame.plane, LONGEST)
+            if len(around) * frame.shown.comb_density <= MOST_TEETH:
+                segments = around
         return self._piece(
             frame, index, curve, (self._alive.get(index) or no_part(curve)).rest(curve, segments)
         )
