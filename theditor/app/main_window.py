@@ -25,6 +25,7 @@ from theditor.app.context_menus import ContextMenus
 from theditor.app.coordinates import Coordinates
 from theditor.app.docks import Column, add_dock
 from theditor.app.dropping import Dropping
+from theditor.app.elided import Elided
 from theditor.app.files import Files
 from theditor.app.menus import build_menus, tint_icons
 from theditor.app.outside import Outside
@@ -142,7 +143,7 @@ class MainWindow(QMainWindow):
     def _build_status_line(self) -> None:
         bar = self.statusBar()
         bar.setSizeGripEnabled(False)
-        self._position, self._over, self._zoom, self._hint = (QLabel() for _ in range(4))
+        self._position, self._over, self._zoom, self._hint = QLabel(), QLabel(), QLabel(), Elided()
         self._found = ""  # under the pointer
         self._announced = QTimer(self, singleShot=True, interval=STAYS)
         self._announced.timeout.connect(self.end_announcement)
