@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect
 from collections.abc import Iterable, Mapping, Sequence, Sized
 
 import numpy as np
@@ -45,10 +46,30 @@ def points_counted(points: Mapping[int, Sized], state: str = "") -> str:
 
 
 def symbols(symbol: str, indices: Sequence[int]) -> str:
-    """Name symbols: ``λ₅, λ₆``, or ``λ₀ … λ₉₉`` when there are many."""
+    """Name symbols by their indices, ascending: ``λ₅, λ₆``, or ``λ₀ … λ₃, λ₉`` when there are many.
+
+    Where that would be long, too, just the first and the last: ``λ₀ … λ₉₉``.
+    """
     if len(indices) <= _ENUMERATED:
         return ", ".join(indexed(symbol, i) for i in indices)
-    return f"{indexed(symbol, indices[0])} … {indexed(symbol, indices[-1])}"
+    names: list[str] = []
+    begin = 0
+    while begin < len(indices) and len(names) < _ENUMERATED:
+        end = _end_of_run(indices, begin)
+        run = indices[begin:end] if end - begin < 3 else (indices[begin],)
+        names += [indexed(symbol, i) for i in run]
+        if end - begin > len(run):
+            names[-1] += f" … {indexed(symbol, indices[end - 1])}"
+        begin = end
+    if begin < len(indices):
+        names = [f"{indexed(symbol, indices[0])} … {indexed(symbol, indices[-1])}"]
+    return ", ".join(names)
+
+
+def _end_of_run(indices: Sequence[int], begin: int) -> int:
+    """Where in ascending indices the run of successive ones ends that begins there."""
+    first = indices[begin] - begin
+    return bisect(range(len(indices)), first, begin, key=lambda k: indices[k] - k)
 
 
 def segments_named(curve: Curve, segments: Iterable[int]) -> str:
