@@ -31,7 +31,7 @@ Ints = NDArray[np.intp]
 
 MOST_HULLS = 50
 """Of more selected segments only the first show their convex hulls."""
-EMPTY = "This drawing is empty.\nCurve › Add curve puts one here; File › Open gallery shows examples."
+EMPTY = "This drawing is empty.\nPen (B) and freehand (P) draw a curve; File › Open gallery shows examples."
 
 
 class Shown(NamedTuple):

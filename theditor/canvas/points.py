@@ -165,7 +165,8 @@ def make_corners(document: Document, selection: Selection) -> str:
     ValueError
         If one of them is the end of an open curve.
     """
-    return _each(document, selection, corners.corner, "Make corner", "Made a corner at")
+    told = "Made a corner at", "there is a corner at"
+    return _each(document, selection, corners.corner, "Make corner", told)
 
 
 def make_smooth(document: Document, selection: Selection) -> str:
@@ -176,7 +177,8 @@ def make_smooth(document: Document, selection: Selection) -> str:
     ValueError
         If fewer control points would stay than the curve needs.
     """
-    return _each(document, selection, corners.smooth, "Make smooth", "Made the curve smooth at")
+    told = "Made the curve smooth at", "the curve is smooth at"
+    return _each(document, selection, corners.smooth, "Make smooth", told)
 
 
 def _each(
@@ -184,9 +186,9 @@ def _each(
     selection: Selection,
     edit: Callable[[Curve, NDArray[np.intp]], Curve],
     text: str,
-    told: str,
+    told: tuple[str, str],
 ) -> str:
-    """Edit the curves at the selected places; points in one place count once."""
+    """Edit the curves at the selected places; points in one place count once. Told is what was done, or what is so."""
     document.settle()
     drawing = document.drawing
     chosen = selection.movable
@@ -195,11 +197,11 @@ def _each(
     named = symbols("P", places[selection.curve]) if [*places] == [selection.curve] else ""
     after = drawing.with_curves(new)
     if after == drawing:
-        return f"Nothing changed: {named or points_counted(places)} is that already"
+        return f"Nothing changed: {told[1]} {named or points_counted(places)} already"
     document.apply(text, after)
     now = {i: corners.kept_places(drawing[i].curve, curve, chosen[i]) for i, curve in new.items()}
     selection.select_across(now, segments=())
-    return f"{told} {named or points_counted(places)}"
+    return f"{told[0]} {named or points_counted(places)}"
 
 
 def _apart(curve: Curve, chosen: list[int]) -> list[int]:
