@@ -68,6 +68,7 @@ def test_exports_run_without_qt_but_for_pictures_painted_by_it(suffix, tmp_path)
         ["export", "a.json"],
         ["import", "a.svg"],
         ["gallery", "-o", "a.json"],
+        ["gallery", "catenary", "-o", "a.svg"],
         ["schema", "more"],
     ],
 )

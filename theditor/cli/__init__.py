@@ -23,7 +23,7 @@ COMMANDS: Final = {
     "check": Command("check", "FILE ...", "say what is in drawings, or what is wrong with them"),
     "export": Command("export", "FILE ... -o OUT", "write drawings as SVG, PDF, PNG, DXF, TikZ or CSV"),
     "import": Command("importing", "FILE -o OUT", "make a drawing of an SVG picture or a table of points"),
-    "gallery": Command("gallery", "[NAME]", "list the gallery, or take a drawing from it"),
+    "gallery": Command("gallery", "[NAME [-o OUT]]", "list the gallery, or take a drawing from it"),
     "schema": Command("schema", "", "print the JSON Schema of the file format"),
 }
 
@@ -81,7 +81,8 @@ def _run(arguments: Sequence[str]) -> int:
     command = import_module(f"theditor.cli.{COMMANDS[name].module}")
     from theditor.drawing import DrawingError
 
-    parser = argparse.ArgumentParser(prog=f"theditor {name}", epilog=f"{EXIT_CODES}.")
+    usage = f"theditor {name} {COMMANDS[name].usage}".rstrip() + " [OPTION ...]"
+    parser = argparse.ArgumentParser(prog=f"theditor {name}", usage=usage, epilog=f"{EXIT_CODES}.")
     command.declare(parser)
     try:
         return int(command.run(parser.parse_args(arguments[1:])))
@@ -94,7 +95,7 @@ def _run(arguments: Sequence[str]) -> int:
 def _open(arguments: Sequence[str]) -> int:
     import argparse
 
-    lines = (f"  theditor {name + ' ' + each.usage:<23} {each.about}" for name, each in COMMANDS.items())
+    lines = (f"  theditor {name + ' ' + each.usage:<25} {each.about}" for name, each in COMMANDS.items())
     parser = argparse.ArgumentParser(
         prog="theditor",
         usage="theditor [FILE ...]\n       theditor COMMAND ...",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from argparse import ArgumentTypeError
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -9,7 +10,7 @@ from typing import Any
 from theditor.cli import UsageError
 from theditor.cli.streams import STANDARD
 from theditor.drawing import DrawingError, shown
-from theditor.exchange import Options
+from theditor.exchange import FORMATS, Options
 
 
 def names(suffixes: Sequence[str]) -> str:
@@ -32,6 +33,13 @@ def chosen_suffix(wanted: str | None, name: str, known: Sequence[str]) -> str:
     if suffix not in known:
         raise UsageError(problem)
     return suffix
+
+
+def drawing_name(name: str) -> str:
+    """Return the name of a file to write a drawing to; an error of the argument if it is that of another kind."""
+    if Path(name).suffix.lower() in FORMATS:
+        raise ArgumentTypeError(f"{shown(name)} would hold a drawing: let its name end in .json")
+    return name
 
 
 def checked_options(**values: Any) -> Options:

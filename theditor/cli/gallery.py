@@ -6,6 +6,7 @@ import argparse
 from difflib import get_close_matches
 
 from theditor.cli import UsageError, streams
+from theditor.cli.formats import drawing_name
 from theditor.drawing import load, shown
 from theditor.resources import gallery
 
@@ -17,7 +18,12 @@ def declare(parser: argparse.ArgumentParser) -> None:
         "name", metavar="NAME", nargs="?", help="the drawing to take; without it all are listed"
     )
     parser.add_argument(
-        "-o", dest="out", metavar="OUT.json", default=streams.STANDARD, help="where to write it"
+        "-o",
+        dest="out",
+        metavar="OUT.json",
+        type=drawing_name,
+        default=streams.STANDARD,
+        help="where to write it",
     )
     parser.add_argument(
         "--overwrite",

@@ -8,7 +8,7 @@ import sys
 from tqdm import tqdm
 
 from theditor.cli import streams
-from theditor.cli.formats import checked_options, chosen_suffix, names
+from theditor.cli.formats import checked_options, chosen_suffix, drawing_name, names
 from theditor.drawing import DrawingError
 from theditor.exchange import read, readable, told
 from theditor.exchange.options import DEFAULTS
@@ -22,7 +22,12 @@ def declare(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("file", metavar="FILE", help="the file to read, or - for standard input")
     parser.add_argument(
-        "-o", dest="out", metavar="OUT.json", required=True, help="the drawing to write, or -"
+        "-o",
+        dest="out",
+        metavar="OUT.json",
+        type=drawing_name,
+        required=True,
+        help="the drawing to write, or -",
     )
     parser.add_argument("--format", help="the format of FILE, if its name does not tell")
     parser.add_argument(
