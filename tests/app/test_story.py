@@ -186,6 +186,16 @@ def test_the_save_dialog_completes_the_name_and_asks_before_replacing(window, tm
     assert "b.json" in asked[0]
 
 
+def test_a_drawing_is_not_saved_by_the_name_of_another_kind_of_file(window, tmp_path):
+    def name_it():
+        dialog = QApplication.activeModalWidget()
+        dialog.findChild(QLineEdit).setText("b.svg")
+        dialog.accept()
+
+    QTimer.singleShot(0, name_it)
+    assert where_to_save(window, tmp_path / "suggested.json") == tmp_path / "b.svg.json"
+
+
 def test_saving_over_something_else_than_a_drawing_asks_once_more(window, monkeypatch, tmp_path):
     notes = tmp_path / "notes.json"
     notes.write_text("[1, 2]")

@@ -36,13 +36,21 @@ def _foreign_filter() -> str:
 
 
 def where_to_save(parent: QWidget, suggestion: Path) -> Path | None:
-    """Ask for a file to save to, completed by ``.json``; the dialog itself asks before one is replaced."""
+    """Ask for a file to save to, completed by ``.json``, also where the name is that of another kind of file.
+
+    What is replaced is asked about.
+    """
     dialog = QFileDialog(parent, "Save the drawing", str(suggestion.parent), FILE_FILTER)
     dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
     dialog.setFileMode(QFileDialog.FileMode.AnyFile)
     dialog.setDefaultSuffix("json")
     dialog.selectFile(suggestion.name)
-    return Path(dialog.selectedFiles()[0]) if dialog.exec() else None
+    if not dialog.exec():
+        return None
+    from theditor.exchange import FORMATS  # loaded when it is first asked for
+
+    path = Path(dialog.selectedFiles()[0])
+    return _completed(parent, path, ".json") if path.suffix.lower() in FORMATS else path
 
 
 def where_to_export(parent: QWidget, suggestion: Path, suffix: str) -> Path | None:
@@ -54,8 +62,11 @@ def where_to_export(parent: QWidget, suggestion: Path, suffix: str) -> Path | No
     if not name:
         return None
     path = Path(name)
-    if path.suffix.lower() == suffix:
-        return path
+    return path if path.suffix.lower() == suffix else _completed(parent, path, suffix)
+
+
+def _completed(parent: QWidget, path: Path, suffix: str) -> Path | None:
+    """Add the suffix; a file of that name, which the dialog for files could not know yet, is asked about."""
     path = path.with_name(path.name + suffix)
     return path if not path.exists() or _whether_to_overwrite(parent, path) else None
 
@@ -64,7 +75,9 @@ def _whether_to_overwrite(parent: QWidget, path: Path) -> bool:
     """Ask about a file whose name the dialog for files did not know yet."""
     buttons = QMessageBox.StandardButton
     words = f"“{shown(path.name)}” exists already. Replace it?"
-    answer = QMessageBox.question(parent, "Export", words, buttons.Yes | buttons.Cancel, buttons.Cancel)
+    answer = QMessageBox.question(
+        parent, "Replace a file", words, buttons.Yes | buttons.Cancel, buttons.Cancel
+    )
     return bool(answer == buttons.Yes)
 
 
