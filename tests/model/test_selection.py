@@ -1,5 +1,6 @@
 """The selection: what the λ controls act on, and how it follows the drawing."""
 
+import numpy as np
 import pytest
 
 from theditor.drawing import Drawing, Item
@@ -106,6 +107,16 @@ def test_it_follows_curves_that_come_go_and_change_places(document, selection):
     for _ in range(4):
         document.undo()
     assert (document.drawing, across(selection)) == (drawing, {1: [1]})
+
+
+def test_what_is_selected_stays_the_same_where_points_before_it_come_and_go(document, selection):
+    points = np.array([[k, k % 3] for k in range(9)], dtype=float)
+    document.apply("Lengthen", document.drawing.with_curve(1, Curve(points)))
+    selection.select(points={1, 3, 7}, segments={0, 5})
+    document.apply("Delete", document.drawing.with_curve(1, Curve(np.delete(points, 3, axis=0))))
+    assert (selection.points, selection.segments) == ({1, 6}, {4})
+    document.undo()
+    assert (selection.points, selection.segments) == ({1, 7}, {5})
 
 
 def test_one_edit_of_many_curves_keeps_what_is_selected_on_them(qapp):

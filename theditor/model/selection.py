@@ -13,7 +13,9 @@ from theditor.drawing import Drawing, Item
 from theditor.drawing.change import common_ends
 from theditor.model.document import Document
 from theditor.spline import Curve
+from theditor.spline.basis import Floats
 from theditor.spline.distinct import distinct
+from theditor.spline.sampling import differing_rows
 
 Ints = NDArray[np.intp]
 
@@ -193,8 +195,12 @@ class Selection(QObject):
         curve = place.get(self._curve, min(self._curve, len(new) - 1))
         if curve < 0 <= len(new) - 1:
             curve = _first_visible(new)
-        chosen = {place[i]: points for i, points in self._chosen.items() if i in place}
-        segments = self._segments if self._curve in place else frozenset()
+        chosen = {
+            now: _points_after(self._chosen[i], old[i].curve, new[now].curve) for i, now in place.items()
+        }
+        segments: frozenset[int] = frozenset()
+        if self._curve in place:
+            segments = _segments_after(self._segments, old[self._curve].curve, new[curve].curve)
         self._set(curve, chosen, segments)
 
     def _start_anew(self) -> None:
@@ -275,6 +281,46 @@ def _places(old: Drawing, new: Drawing, curves: Iterable[int]) -> dict[int, int]
         elif i in places:
             result[i] = places[i]
     return result
+
+
+def _points_after(points: Ints, old: Curve, new: Curve) -> Ints:
+    """Which control points of an edited curve are some of the old one, where others came or went in between."""
+    head, tail = _common_points(old, new) if points.size else (0, 0)
+    if not head and not tail:
+        return points
+    late = points[points >= tail] + len(new.control_points) - len(old.control_points)
+    return np.concatenate((points[points < head], late))
+
+
+def _segments_after(segments: frozenset[int], old: Curve, new: Curve) -> frozenset[int]:
+    """The same of segments: those are kept of which all control points are."""
+    head, tail = _common_points(old, new) if segments else (0, 0)
+    if not head and not tail:
+        return segments
+    longer = len(new.control_points) - len(old.control_points)
+    first = old.first_segment - 1
+    early = {s for s in segments if s + first + old.degree < head}
+    return frozenset(early | {s + longer for s in segments if s + first >= tail})
+
+
+def _common_points(old: Curve, new: Curve) -> tuple[int, int]:
+    """Up to which control point, and again from which one, an edited curve has those of the old one.
+
+    (0, 0) if it has as many of them, or none in common.
+    """
+    before, after = old.control_points, new.control_points
+    count = min(len(before), len(after))
+    if len(before) == len(after) or old.dimension != new.dimension:
+        return 0, 0
+    head = _agreeing(before[:count], after[:count])
+    tail = min(_agreeing(before[::-1][:count], after[::-1][:count]), count - head)
+    return (head, len(before) - tail) if head or tail else (0, 0)
+
+
+def _agreeing(one: Floats, other: Floats) -> int:
+    """How many rows are the same at the beginnings of two arrays of one shape."""
+    differing = differing_rows(one, other)
+    return int(differing[0]) if differing.size else len(one)
 
 
 def _below(indices: frozenset[int], count: int) -> frozenset[int]:
