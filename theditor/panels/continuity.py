@@ -39,6 +39,7 @@ class ContinuityPanel(QWidget):
         self._following = False
         self.model = ContinuityModel(self)
         self.heading = heading(EMPTY, capitals=False)
+        self.heading.setWordWrap(True)
         self.heading.setContentsMargins(MARGIN, 0, MARGIN, 0)
         self.table = _table(self.model)
         layout = QVBoxLayout(self)
