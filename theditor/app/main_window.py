@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
@@ -58,6 +59,8 @@ if TYPE_CHECKING:
 Plot = TypeVar("Plot", "BasisPanel", "CurvaturePanel")
 
 COLUMN_WIDTH = 400
+LEAST_POSITION = 150
+"""Room for usual coordinates in the status line, so that what is beside them stays where it is."""
 STAYS, LEAST_READ = 8000, 2000
 """How long an announcement stays, and how long at least whatever the pointer finds, in milliseconds."""
 
@@ -148,7 +151,7 @@ class MainWindow(QMainWindow):
         self._announced = QTimer(self, singleShot=True, interval=STAYS)
         self._announced.timeout.connect(self.end_announcement)
         self._position.setProperty("role", "strong")
-        self._position.setMinimumWidth(150)
+        self._position.setMinimumWidth(LEAST_POSITION)
         bar.addWidget(self._position)
         bar.addWidget(self._over, 1)
         bar.addPermanentWidget(self._zoom)
@@ -276,9 +279,10 @@ class MainWindow(QMainWindow):
 
     def _show_pointed(self, pointed: Pointed) -> None:
         position = pointed.position
-        digits = 3 if pointed.scale < 1e4 else 6
-        words = "" if position is None else f"x {position[0]:.{digits}f}   y {position[1]:.{digits}f}"
+        digits = max(3, math.ceil(math.log10(pointed.scale)) + 1)  # to a tenth of a pixel or finer
+        words = "" if position is None else f"x {position[0]:z.{digits}f}   y {position[1]:z.{digits}f}"
         self._position.setText(words.replace("-", "−"))
+        self._position.setMinimumWidth(max(LEAST_POSITION, self._position.sizeHint().width()))
         unread = self._announced.remainingTime() > STAYS - LEAST_READ
         self._found = pointed.over
         if (pointed.over and not unread) or not self._announced.isActive():
