@@ -8,17 +8,19 @@ from PySide6.QtWidgets import QLabel
 
 
 class Elided(QLabel):
-    """Gives its room to others first: words that do not fit end in dots, and the tooltip has all of them."""
+    """Gives its room to others, down to a least width: what does not fit ends in dots."""
+
+    least = 0
 
     def minimumSizeHint(self) -> QSize:
-        """No width is too small."""
-        return QSize(0, super().minimumSizeHint().height())
+        """No more than the words take."""
+        size = super().minimumSizeHint()
+        return QSize(min(self.least, size.width()), size.height())
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint as much as fits."""
         room = self.contentsRect()
         text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, room.width())
-        self.setToolTip(self.text() if text != self.text() else "")
         painter = QPainter(self)
         painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
         painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, text)

@@ -61,6 +61,8 @@ Plot = TypeVar("Plot", "BasisPanel", "CurvaturePanel")
 COLUMN_WIDTH = 400
 LEAST_POSITION = 150
 """Room for usual coordinates in the status line, so that what is beside them stays where it is."""
+MARGINS = 28
+"""Beside the words of the status line, left and right together."""
 STAYS, LEAST_READ = 8000, 2000
 """How long an announcement stays, and how long at least whatever the pointer finds, in milliseconds."""
 
@@ -146,7 +148,7 @@ class MainWindow(QMainWindow):
     def _build_status_line(self) -> None:
         bar = self.statusBar()
         bar.setSizeGripEnabled(False)
-        self._position, self._over, self._zoom, self._hint = QLabel(), QLabel(), QLabel(), Elided()
+        self._position, self._over, self._zoom, self._hint = QLabel(), Elided(), QLabel(), Elided()
         self._found = ""  # under the pointer
         self._announced = QTimer(self, singleShot=True, interval=STAYS)
         self._announced.timeout.connect(self.end_announcement)
@@ -267,8 +269,9 @@ class MainWindow(QMainWindow):
         self._over.setText(text)
         self._over.setToolTip(text)
         beside = (self._zoom, self._hint)
-        needed = sum(label.sizeHint().width() for label in (self._over, *beside))
-        fits = needed <= self.statusBar().width() - self._over.x()
+        wide, room = self._over.sizeHint().width(), self.statusBar().width() - self._over.x()
+        self._over.least = room - MARGINS
+        fits = wide + sum(label.sizeHint().width() for label in beside) <= room
         for label in beside:
             label.setVisible(fits or not self._announced.isActive())
 
@@ -281,8 +284,9 @@ class MainWindow(QMainWindow):
         position = pointed.position
         digits = max(3, math.ceil(math.log10(pointed.scale)) + 1)  # to a tenth of a pixel or finer
         words = "" if position is None else f"x {position[0]:z.{digits}f}   y {position[1]:z.{digits}f}"
-        self._position.setText(words.replace("-", "−"))
-        self._position.setMinimumWidth(max(LEAST_POSITION, self._position.sizeHint().width()))
+        self._position.setText(words := words.replace("-", "−"))
+        wide = self._position.fontMetrics().horizontalAdvance(words) + MARGINS
+        self._position.setMinimumWidth(max(LEAST_POSITION, wide))
         unread = self._announced.remainingTime() > STAYS - LEAST_READ
         self._found = pointed.over
         if (pointed.over and not unread) or not self._announced.isActive():
