@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from theditor.spline import Curve
+from theditor.spline.sampling import common_rows
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.intp]
@@ -110,16 +111,6 @@ def _common_segments(old: Curve, new: Curve) -> tuple[int, int]:
 def _common_points(old: Curve, new: Curve, step: int) -> int:
     """How many control points, with their λ, are the same from the beginning (step 1) or from the end (−1)."""
     return min(
-        _common_rows(old.control_points[::step], new.control_points[::step]),
-        _common_rows(old.lambdas[::step], new.lambdas[::step]),
+        common_rows(old.control_points[::step], new.control_points[::step]),
+        common_rows(old.lambdas[::step], new.lambdas[::step]),
     )
-
-
-def _common_rows(one: Array, other: Array) -> int:
-    """How many rows are the same from the beginning."""
-    count = min(len(one), len(other))
-    differ = one[:count] != other[:count]
-    for column in differ.reshape(count, -1).T:
-        if column.any():
-            count = min(count, int(column.argmax()))
-    return count

@@ -13,9 +13,8 @@ from theditor.drawing import Drawing, Item
 from theditor.drawing.change import common_ends
 from theditor.model.document import Document
 from theditor.spline import Curve
-from theditor.spline.basis import Floats
 from theditor.spline.distinct import distinct
-from theditor.spline.sampling import differing_rows
+from theditor.spline.sampling import common_rows
 
 Ints = NDArray[np.intp]
 
@@ -309,18 +308,11 @@ def _common_points(old: Curve, new: Curve) -> tuple[int, int]:
     (0, 0) if it has as many of them, or none in common.
     """
     before, after = old.control_points, new.control_points
-    count = min(len(before), len(after))
     if len(before) == len(after) or old.dimension != new.dimension:
         return 0, 0
-    head = _agreeing(before[:count], after[:count])
-    tail = min(_agreeing(before[::-1][:count], after[::-1][:count]), count - head)
+    head = common_rows(before, after)
+    tail = min(common_rows(before[::-1], after[::-1]), min(len(before), len(after)) - head)
     return (head, len(before) - tail) if head or tail else (0, 0)
-
-
-def _agreeing(one: Floats, other: Floats) -> int:
-    """How many rows are the same at the beginnings of two arrays of one shape."""
-    differing = differing_rows(one, other)
-    return int(differing[0]) if differing.size else len(one)
 
 
 def _below(indices: frozenset[int], count: int) -> frozenset[int]:

@@ -136,6 +136,14 @@ def differing_rows(old: NDArray[Any], new: NDArray[Any]) -> NDArray[np.intp]:
     return rows[begins]
 
 
+def common_rows(one: NDArray[Any], other: NDArray[Any]) -> int:
+    """Return how many rows are the same at the beginnings of two arrays."""
+    count = min(len(one), len(other))
+    differ = (one[:count] != other[:count]).ravel()
+    place = int(differ.argmax()) if differ.any() else len(differ)
+    return place * count // len(differ) if count else 0
+
+
 def evaluate_segments(curve: "Curve", segments: ArrayLike, intervals: int) -> Floats:
     """Return the points at t = j/intervals, both ends included, of some segments.
 
