@@ -13,8 +13,8 @@ from theditor.spline.chains import hyperbolic, trigonometric
 
 GALLERY = Path(__file__).parent / "gallery"
 
-# Colours of a second curve and of guide lines, at least 3:1 against a white and a near-black ground.
-SECOND, GUIDE = "#C2417A", "#7C8796"
+# Colours of a first and a second curve and of guide lines, at least 3:1 against a white and a near-black ground.
+FIRST, SECOND, GUIDE = "#1F8A8A", "#C2417A", "#7C8796"
 
 Points = list[tuple[float, ...]]
 
@@ -33,7 +33,7 @@ def shaped(degree: int, lambdas: dict[int, float], name: str) -> Drawing:
     """Return the polygon's curve with every λ = 0.5, and another where some λ differ."""
     even = Curve(POLYGON, 0.5, degree)
     other = even.with_lambdas(list(lambdas), list(lambdas.values()))
-    return Drawing([Item(even, "λ = 0.5 everywhere"), Item(other, name, SECOND)])
+    return Drawing([Item(even, "λ = 0.5 everywhere", FIRST), Item(other, name, SECOND)])
 
 
 # Figures 5 to 8 and the known curves

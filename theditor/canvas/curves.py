@@ -40,6 +40,8 @@ DENSE, MOST_LINES = 0.037, 25_000
 """Curves of more lines than this for each pixel, and that in all, are laid as points, which takes less time, …"""
 MOST_INKS, MOST_POINTS = 16, 8
 """… unless they come in more colours and widths one over the other, or run to more points for each pixel."""
+VISIBLE, CLEAR = 70.0, 110.0
+"""A curve that is not so much, of 255, darker or lighter than the canvas is made to be, and by so much."""
 FRAYING = 6.0
 """In bends of lines wider than this the corners of square caps would stick out."""
 MOST_KEPT = 300_000
@@ -294,13 +296,14 @@ def _style_of(item: Item, colours: Colours) -> Style:
 
 @lru_cache(maxsize=256)
 def _legible(own: str, canvas: str) -> str:
-    """A curve's own colour, lightened or darkened where it would vanish in the canvas."""
-    colour, ground = QColor(own), QColor(canvas)
-    if abs(_luma(colour) - _luma(ground)) >= 70:
+    """A curve's own colour, lightened or darkened, where it would vanish in the canvas."""
+    colour, ground = QColor(own), _luma(QColor(canvas))
+    if abs(_luma(colour) - ground) >= VISIBLE:
         return own
-    hue, saturation, lightness = colour.hslHue(), colour.hslSaturation(), colour.lightness()
-    target = 255 - lightness if abs(255 - 2 * lightness) > 60 else (220 if _luma(ground) < 128 else 60)
-    return QColor.fromHsl(max(hue, 0), saturation, target).name()
+    hue, saturation, step = max(colour.hslHue(), 0), colour.hslSaturation(), 3 if ground < 128 else -3
+    while abs(_luma(colour) - ground) < CLEAR:
+        colour = QColor.fromHsl(hue, saturation, min(max(colour.lightness() + step, 0), 255))
+    return colour.name()
 
 
 def _luma(colour: QColor) -> float:

@@ -22,5 +22,6 @@ def indexed(symbol: str, index: int) -> str:
 
 
 def counted(count: int, noun: str) -> str:
-    """Count: ``1 point``, ``3 points``."""
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+    """Count: ``1 point``, ``3 points``, ``10,000 points``."""
+    number = f"{count:,}" if count >= 10_000 else str(count)
+    return f"{number} {noun}" if count == 1 else f"{number} {noun}s"
