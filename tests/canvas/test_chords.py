@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from theditor.canvas import segment_table
 from theditor.canvas.chords import MIXED, ChordTree
 from theditor.canvas.raster import Raster
 from theditor.spline import INTERPOLATING, Curve
@@ -148,6 +149,19 @@ def test_a_tree_follows_curves_that_are_moved_whole(drawing, tolerance, data):
 
 def moved(curve, some, offset):
     return curve.with_points(some, curve.control_points[some] + offset)
+
+
+def test_what_was_moved_very_often_is_measured_anew_and_then_followed_as_before(monkeypatch):
+    monkeypatch.setattr(segment_table, "MOST_SHIFTS", 5)
+    one = other = Curve(np.random.default_rng(0).normal(size=(60, 2)).cumsum(axis=0))
+    tree, followed = ChordTree([one, other]), []
+    for _ in range(13):
+        one = moved(one, range(60), [0.1, 0.2])
+        followed.append(tree.follow([one, other]))
+        if not followed[-1]:
+            tree = ChordTree([one, other], tree)
+    assert [k for k, well in enumerate(followed) if not well] == [5, 11]
+    assert tree.follow([moved(one, [30], [0.1, 0.0]), other])
 
 
 def follows_wrongly(curves):

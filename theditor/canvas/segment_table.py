@@ -46,7 +46,9 @@ class SegmentTable:
         self.level = Level.blank(total)
         """The segments as the leaves of a tree."""
         self._shifts = 0
-        fresh = self._take_over(like) if like is not None else np.arange(total)
+        fresh = np.arange(total)
+        if like is not None and like._shifts < MOST_SHIFTS:
+            fresh = self._take_over(like)
         self._fill(distinct(self.owner[fresh]))
         self._measure(fresh)
 
@@ -119,9 +121,9 @@ class SegmentTable:
                 rows.append(segments + self.begins[place])
                 patches.append((new, segments))
         moved: Flags = np.any(offsets, axis=0)
-        self._shifts += int(moved.any())
-        if self._shifts > MOST_SHIFTS:
+        if moved.any() and self._shifts == MOST_SHIFTS:
             return None
+        self._shifts += int(moved.any())
         self._curves = list(curves)
         del self.sizes
         changed = np.concatenate([np.empty(0, dtype=np.intp), *rows])
