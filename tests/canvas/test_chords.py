@@ -8,6 +8,8 @@ from hypothesis import strategies as st
 from theditor.canvas import segment_table
 from theditor.canvas.chords import MIXED, ChordTree
 from theditor.canvas.raster import Raster
+from theditor.canvas.trace import strokes, traced
+from theditor.canvas.viewport import Viewport
 from theditor.spline import INTERPOLATING, Curve
 
 coordinates = st.floats(-6, 8)
@@ -55,6 +57,26 @@ def test_lines_and_curves_are_within_the_tolerance_of_each_other(drawing, tolera
         pieces = np.hstack([points[:-1], points[1:]])
         grain = np.hypot(*(pieces[:, 2:] - pieces[:, :2]).T).max()
         assert (distances(middles, pieces) <= tolerance + grain).all()
+
+
+@given(curves(), st.floats(0, 1), st.floats(-9, 1))
+def test_however_small_a_part_of_a_curve_is_seen_its_lines_are_within_the_tolerance(curve, share, exponent):
+    u = share * curve.segment_count
+    width, place = 10**exponent, curve(u)
+    plane = Viewport(*place.tolist(), 1000 / width, 1000.0, 1000.0)
+    nearby = np.clip(u + np.linspace(-1, 1, 9) * width / max(np.hypot(*curve(u, nu=1)), 1.0), *curve.domain)
+    pixels = plane.to_pixels(curve(nearby))
+    pixels = pixels[((pixels > 0) & (pixels < 1000)).all(axis=1)]
+    chords = ChordTree([curve]).chords(*plane.window(), 0.1 / plane.scale)
+    drawn = [
+        plane.lines_to_pixels(chords.lines),
+        np.vstack([stroke.lines for stroke in strokes(curve, plane)]),
+    ]
+    drawn += traced([(curve, np.arange(curve.segment_count))], plane)
+    rounding = 1e-14 * plane.scale * (1 + np.abs(curve.control_points).max())
+    for lines in drawn:
+        assert (distances(pixels, lines) <= 0.1 + rounding).all()
+        assert len(lines) < 600 * curve.segment_count
 
 
 def laid(tree, without, spacing):

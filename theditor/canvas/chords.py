@@ -31,7 +31,8 @@ from theditor.canvas.raster import Along
 from theditor.canvas.segment_table import BLOCK, SegmentTable
 from theditor.spline import Curve
 from theditor.spline.distinct import distinct
-from theditor.spline.sampling import sample_parts
+from theditor.spline.magnified import Pieces, pieces_in_view
+from theditor.spline.sampling import intervals_within
 
 MIXED = -1
 """The mode of a run of segments that have different ones."""
@@ -179,10 +180,17 @@ class ChordTree:
                 return None
             if height:
                 nodes = nodes_below(nodes, len(self._levels[height - 1].codes))
-        steps = self._table.steps(nodes, tolerance)
-        if count + int(steps.sum()) > most:
+        turning = self._table.turning[nodes]
+        if count + int(intervals_within(turning, tolerance).sum()) > most:
             return None
-        return self._lines(np.concatenate(first), np.concatenate(last), np.concatenate(codes), nodes, steps)
+        finer: list[Pieces] = []
+        for degree in (2, 3):
+            chosen = self._table.cubic[nodes] == (degree == 3)
+            own = nodes[chosen]
+            if len(own):
+                parts = self._table.parts_of(own)
+                finer += pieces_in_view(parts, own, degree, turning[chosen], tolerance, low, high)
+        return self._in_order(np.concatenate(first), np.concatenate(last), np.concatenate(codes), finer)
 
     def seen(self, place: int, low: Floats, high: Floats) -> Ints:
         """The segments of one curve whose boxes meet a window, ascending."""
@@ -230,33 +238,24 @@ class ChordTree:
             nodes = parents_of(nodes)
         return flags
 
-    def _lines(self, first: Ints, last: Ints, codes: NDArray[np.int8], leaves: Ints, counts: Ints) -> Chords:
-        """Put together the chords over runs of leaves, and so many of single ones, in order."""
-        lines = [
-            np.concatenate(
-                (self._table.ends[:2].take(first, axis=1), self._table.ends[2:].take(last, axis=1))
-            ).T
-        ]
-        rows, steps = [first], [np.tile((0.0, 1.0), (len(first), 1))]
-        for degree in (2, 3):
-            for count in distinct(counts).tolist():
-                own = leaves[(counts == count) & (self._table.cubic[leaves] == (degree == 3))]
-                if len(own):
-                    samples = sample_parts(self._table.parts_of(own), degree, np.full(len(own), count))
-                    x, y = samples.points.T.reshape(2, len(own), count + 1)
-                    pieces = np.stack((x[:, :-1], y[:, :-1], x[:, 1:], y[:, 1:]), axis=2)
-                    lines.append(pieces.reshape(-1, 4))
-                    rows.append(np.repeat(own, count))
-                    t = np.arange(count) / count
-                    steps.append(np.tile(np.stack((t, t + 1 / count), axis=1), (len(own), 1)))
+    def _in_order(self, first: Ints, last: Ints, codes: NDArray[np.int8], finer: list[Pieces]) -> Chords:
+        """Put together the chords over runs of leaves, and pieces of single ones."""
+        ends = self._table.ends
+        runs = Pieces(
+            np.concatenate((ends[:2].take(first, axis=1), ends[2:].take(last, axis=1))).T,
+            first,
+            np.tile((0.0, 1.0), (len(first), 1)),
+        )
+        lines, rows, steps = zip(runs, *finer, strict=True)
         at = np.concatenate(rows)
         order = np.argsort(at, kind="stable")
+        codes = np.concatenate([codes, self._levels[0].codes[at[len(first) :]]])[order]
         at = at[order]
-        finer = self._levels[0].codes[np.concatenate(rows[1:])] if len(rows) > 1 else codes[:0]
+        owners = self._table.owner[at]
         return Chords(
             np.concatenate(lines).take(order, axis=0),
-            self._table.owner[at],
-            np.concatenate([codes, finer])[order],
-            at - self._table.begins[self._table.owner[at]],
+            owners,
+            codes,
+            at - self._table.begins[owners],
             np.concatenate(steps).take(order, axis=0),
         )

@@ -16,7 +16,7 @@ from theditor.canvas.versions import FEW, changed_share, same_segments, whole_of
 from theditor.spline import Curve, changed_segments, joints
 from theditor.spline.distinct import distinct
 from theditor.spline.flatness import flatness
-from theditor.spline.sampling import intervals_within, middles
+from theditor.spline.sampling import middles
 
 BLOCK = 8192
 """So many segments are looked at together, as their numbers stay in the processor's cache."""
@@ -40,7 +40,7 @@ class SegmentTable:
         self.cubic = np.repeat(np.array([curve.degree == 3 for curve in curves], dtype=np.bool_), counts)
         total = len(self.owner)
         self._forms = np.empty((total, 10))  # what belongs to one segment lies together
-        self._turning, self._speeds = np.empty((2, total))
+        self.turning, self._speeds = np.empty((2, total))
         self.ends = np.empty((4, total))
         """(4, n): x and y of the start, x and y of the end."""
         self.level = Level.blank(total)
@@ -65,7 +65,7 @@ class SegmentTable:
 
     def _measures(self) -> list[NDArray[Any]]:
         level = self.level
-        return [self._turning, self._speeds, *self.ends, *level.low, *level.high, level.strays, level.codes]
+        return [self.turning, self._speeds, *self.ends, *level.low, *level.high, level.strays, level.codes]
 
     def _fill(self, places: Ints) -> None:
         """Put some whole curves into joint form, and tell their modes."""
@@ -165,7 +165,7 @@ class SegmentTable:
     def _measure_block(self, own: Ints, degree: int) -> None:
         """Compute boxes, ends and bounds of some segments of one degree, ascending."""
         level, where = self.level, places_of(own)
-        start, end, stray, self._turning[where], self._speeds[where] = flatness(self.parts_of(own), degree)
+        start, end, stray, self.turning[where], self._speeds[where] = flatness(self.parts_of(own), degree)
         level.strays[where] = stray
         _put(self.ends, where, (*start, *end))
         _put(level.low, where, np.minimum(start, end) - stray)
@@ -198,12 +198,6 @@ class SegmentTable:
                 parts = self.parts_of(rows[first : min(first + BLOCK, end)])
                 number, cubic = divmod(int(keys[first]), 2)
                 yield middles(raster.segments(parts), 2 + cubic, number)
-
-    def steps(self, rows: Ints, tolerance: float) -> Ints:
-        """Into how many steps of t to cut some segments: one if that was measured to do, else as the bound says."""
-        steps = intervals_within(self._turning[rows], tolerance)
-        steps[self.level.strays[rows] <= tolerance] = 1
-        return steps
 
 
 def _rows(parts: Iterable[Floats]) -> Iterator[Floats]:

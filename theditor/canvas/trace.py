@@ -12,13 +12,15 @@ from theditor.canvas.lines import clipped
 from theditor.canvas.viewport import Viewport
 from theditor.spline import Curve, enclosures, joints
 from theditor.spline.distinct import distinct
-from theditor.spline.sampling import intervals_within, sample_adaptively, sample_parts
+from theditor.spline.magnified import Pieces, pieces_in_view
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.intp]
 
 TOLERANCE = 0.1
 """Largest distance in pixels between a segment and the line drawn for it."""
+
+NO_PIECES = Pieces(np.empty((0, 4)), np.empty(0, dtype=np.intp), np.empty((0, 2)))
 
 
 class Stroke(NamedTuple):
@@ -41,12 +43,11 @@ def strokes(
 
     They are as good as visible up to `margin` pixels beyond the edge: a wide line shows from there.
     """
-    low, high = viewport.window(margin)
-    samples = sample_adaptively(curve, TOLERANCE / viewport.scale, low, high, segments)
-    ends, run, parameters = samples.pieces()
+    segments = np.arange(curve.segment_count) if segments is None else segments
+    ends, run, parameters = _pieces(joints.take_segments(curve, segments), curve.degree, viewport, margin)
     lines, kept = clipped(viewport.lines_to_pixels(ends), viewport.width, viewport.height, margin)
-    owners, parameters = samples.segments[run[kept]], parameters[kept]
-    codes = curve.codes_of(samples.segments)[run[kept]]
+    owners, parameters = segments[run[kept]], parameters[kept]
+    codes = curve.codes_of(owners)
     result = []
     for code in distinct(codes).tolist():
         chosen = codes == code
@@ -56,7 +57,6 @@ def strokes(
 
 def traced(parts: Sequence[tuple[Curve, Ints]], viewport: Viewport, margin: float = 8.0) -> list[Floats]:
     """The visible lines (n, 4) of some segments of each of several curves: as in `strokes`, all in one go."""
-    low, high = viewport.window(margin)
     result = [np.empty((0, 4))] * len(parts)
     for degree in (2, 3):
         own = [k for k, (curve, _) in enumerate(parts) if curve.degree == degree]
@@ -65,13 +65,21 @@ def traced(parts: Sequence[tuple[Curve, Ints]], viewport: Viewport, margin: floa
         forms = [joints.take_segments(*parts[k]) for k in own]
         form = joints.Segments(*(np.concatenate(rows, axis=-1) for rows in zip(*forms, strict=True)))
         owners = np.repeat(np.arange(len(own)), [len(parts[k][1]) for k in own])
-        lowest, highest = enclosures.boxes(form, degree)
-        seen = np.flatnonzero(((highest >= low[:, None]) & (lowest <= high[:, None])).all(axis=0))
-        form = form.take(seen)
-        steps = intervals_within(enclosures.turning(form, degree), TOLERANCE / viewport.scale)
-        ends, run, _ = sample_parts(form, degree, steps).pieces()
+        ends, run, _ = _pieces(form, degree, viewport, margin)
         lines, kept = clipped(viewport.lines_to_pixels(ends), viewport.width, viewport.height, margin)
-        cuts = np.searchsorted(owners[seen[run[kept]]], np.arange(1, len(own)))
+        cuts = np.searchsorted(owners[run[kept]], np.arange(1, len(own)))
         for k, of in zip(own, np.split(lines, cuts), strict=True):
             result[k] = of
     return result
+
+
+def _pieces(form: joints.Segments, degree: int, viewport: Viewport, margin: float) -> Pieces:
+    """Straight pieces of those segments that may be visible, in their order."""
+    low, high = viewport.window(margin)
+    lowest, highest = enclosures.boxes(form, degree)
+    seen = np.flatnonzero(((highest >= low[:, None]) & (lowest <= high[:, None])).all(axis=0))
+    form, tolerance = form.take(seen), TOLERANCE / viewport.scale
+    found = pieces_in_view(form, seen, degree, enclosures.turning(form, degree), tolerance, low, high)
+    lines, of, t = (np.concatenate(rows) for rows in zip(NO_PIECES, *found, strict=True))
+    order = np.argsort(of, kind="stable")
+    return Pieces(lines[order], of[order], t[order])

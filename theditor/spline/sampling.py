@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from theditor.spline.curve import Curve
 
 _BLOCK = 8192
+MOST_INTERVALS = 512
+"""Into more steps of t no segment is cut unless asked for."""
 
 
 class Samples(NamedTuple):
@@ -203,7 +205,7 @@ def segment_bounds(curve: "Curve", segments: ArrayLike | None = None) -> tuple[F
 
 
 def intervals_for(
-    curve: "Curve", tolerance: float, segments: ArrayLike | None = None, most: int = 512
+    curve: "Curve", tolerance: float, segments: ArrayLike | None = None, most: int = MOST_INTERVALS
 ) -> NDArray[np.intp]:
     """Return into how many equal steps of t to cut segments so that chords stay close to them.
 
@@ -276,7 +278,7 @@ def sample_adaptively(
         seen = (boxes[1] >= _corner(low, -np.inf, curve)) & (boxes[0] <= _corner(high, np.inf, curve))
         shown = np.flatnonzero(np.logical_and.reduce(seen, axis=0))
     seen_parts = parts if len(shown) == len(chosen) else parts.take(shown)
-    samples = sample_parts(seen_parts, curve.degree, intervals_within(turning[shown], tolerance, 512))
+    samples = sample_parts(seen_parts, curve.degree, intervals_within(turning[shown], tolerance))
     return samples._replace(segments=chosen[shown])
 
 
@@ -350,7 +352,7 @@ def _multiply(rows: Floats, matrix: Floats, out: Floats) -> None:
         np.matmul(values, matrix, out=out[axis])
 
 
-def intervals_within(bound: Floats, tolerance: float, most: int = 512) -> NDArray[np.intp]:
+def intervals_within(bound: Floats, tolerance: float, most: int = MOST_INTERVALS) -> NDArray[np.intp]:
     """Return into how many steps, (k,), to cut segments with these bounds of |C''|; see `intervals_for`."""
     if not 0 < tolerance < np.inf:
         raise ValueError(f"tolerance must be a positive number, not {tolerance!r}")
