@@ -204,6 +204,14 @@ def test_going_back_and_forth_measures_no_curve_again(canvas, monkeypatch):
     assert not canvas._curves._former
 
 
+def test_no_more_is_kept_after_many_edits_than_after_some():
+    painter, sizes = CurvesPainter(), []
+    for k in range(60):
+        painter.update(Drawing([Item(Curve(np.arange(12.0).reshape(6, 2) ** (1 + k / 60)))]))
+        sizes.append(len(painter._former))
+    assert sizes[-1] == sizes[20] > 3
+
+
 def test_what_is_hidden_under_the_pointer_is_gone(canvas, hand):
     drawing = canvas.document.drawing
     hand.move(drawing[1].curve(0.5))

@@ -44,8 +44,11 @@ VISIBLE, CLEAR = 70.0, 110.0
 """A curve that is not so much, of 255, darker or lighter than the canvas is made to be, and by so much."""
 FRAYING = 6.0
 """In bends of lines wider than this the corners of square caps would stick out."""
-MOST_KEPT = 300_000
-"""Trees over so many segments are kept for going back to former drawings; they take some 220 bytes each."""
+MOST_FORMER, MOST_KEPT = 10, 300_000
+"""So many trees, over so many segments in all, are kept for going back to former drawings.
+
+Each one is asked at every change whether it can follow; each segment takes some 220 bytes.
+"""
 
 
 class CurvesPainter:
@@ -93,7 +96,7 @@ class CurvesPainter:
         self._tree = follower or ChordTree(curves, self._tree)
         self._former, size = [], 0
         for tree in former:
-            if tree is not self._tree and size < MOST_KEPT:
+            if tree is not self._tree and len(self._former) < MOST_FORMER and size < MOST_KEPT:
                 self._former.append(tree)
                 size += tree.size
 
