@@ -22,8 +22,8 @@ BLOCK = 8192
 """So many segments are looked at together, as their numbers stay in the processor's cache."""
 MOST_SHIFTS = 1000
 """So many times segments are moved with their curves, each time rounded, before they are measured anew."""
-SLIGHT = 1e-8
-"""Rounding that is no larger than this share of a curve's size is not seen."""
+SLIGHT = 1e-11
+"""Rounding that is no larger than this share of a curve's size is not seen, unless one zooms in very far."""
 
 
 class SegmentTable:
