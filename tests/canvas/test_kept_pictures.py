@@ -266,6 +266,17 @@ def test_what_is_left_out_of_a_crowded_picture_cannot_be_seen(qapp, make, dense,
     assert np.abs(drawn - wanted).mean() < 7
 
 
+@pytest.mark.parametrize("width", [2.0, 8.0])
+@pytest.mark.parametrize("extent", [1.0, 1e-3, 0.0])
+def test_a_curve_too_small_to_see_is_a_dot_as_wide_as_its_pen(qapp, width, extent):
+    square = Curve([[-extent, 0], [0, extent], [extent, 0], [0, -extent]], closed=True)
+    drawing, crowd = Drawing([Item(square, width=width)]), CurvesPainter()
+    crowd.update(drawing)
+    plane = Viewport(0.0, 0.0, 1e-3, 60.0, 60.0)
+    drawn = picture(lambda painter: crowd.paint(painter, drawing, -1, plane, LIGHT, by_mode=False), 60)
+    assert 0.7 * width**2 <= (drawn < 160).sum() <= 1.3 * width**2
+
+
 def picture(paint, size):
     """What is painted on white, as an array (size, size) of one of the colours."""
     image = QImage(size, size, QImage.Format.Format_RGB32)

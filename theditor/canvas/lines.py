@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QLineF
+from PySide6.QtCore import QLineF, Qt
 from PySide6.QtGui import QPainter
 from shiboken6 import Shiboken
 
@@ -14,6 +14,8 @@ Floats = NDArray[np.float64]
 
 LONG = 4096.0
 """A line longer than this many pixels is cut off at the window."""
+SPECK = 1e-3
+"""So short a line, in pixels, is a point."""
 
 
 def clipped(
@@ -50,7 +52,15 @@ def clipped(
 
 
 def draw_lines(painter: QPainter, lines: Floats) -> None:
-    """Draw C-contiguous lines (n, 4): x and y of the start, x and y of the end."""
+    """Draw C-contiguous lines (n, 4): x and y of the start, x and y of the end.
+
+    Of round caps without any length between them Qt leaves nothing; there they get a little.
+    """
     if len(lines):
+        if painter.pen().capStyle() == Qt.PenCapStyle.RoundCap:
+            still = np.flatnonzero((np.abs(lines[:, 2:] - lines[:, :2]) < SPECK).all(axis=1))
+            if len(still):
+                lines = lines.copy()
+                lines[still, 2] += SPECK
         first: Any = Shiboken.wrapInstance(lines.__array_interface__["data"][0], QLineF)
         painter.drawLines(first, len(lines))
