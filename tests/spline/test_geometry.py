@@ -24,7 +24,7 @@ def test_a_point_of_the_curve_is_met(curve, where, at_a_joint):
     u = where * curve.segment_count
     point = curve(round(u) if at_a_joint else u)
     _, distance = nearest(curve, point)
-    assert distance <= 1e-13 * scale(curve)
+    assert distance <= 1e-12 * scale(curve)
 
 
 @given(st.floats(-3, 3), st.floats(-3, 3))
