@@ -210,7 +210,7 @@ class ChordTree:
 
     def _met(self, low: Floats, high: Floats, begin: int, end: int) -> Ints:
         """Which of the leaves from `begin` to `end` meet a window, counted from `begin`."""
-        steps = np.zeros(end - begin + 1, dtype=np.intp)
+        edges = np.zeros(end - begin + 1, dtype=np.intp)
         nodes = np.arange(len(self._levels[-1].codes))
         for height in range(len(self._levels) - 1, -1, -1):
             level = self._levels[height]
@@ -218,11 +218,11 @@ class ChordTree:
             nodes = nodes[level.meet(nodes, low, high)]
             found = level.within(nodes, low, high) if height else np.ones(len(nodes), dtype=np.bool_)
             first, last = self._run(height, nodes[found])
-            steps[np.maximum(first, begin) - begin] += 1
-            steps[np.minimum(last + 1, end) - begin] -= 1
+            edges[np.maximum(first, begin) - begin] += 1
+            edges[np.minimum(last + 1, end) - begin] -= 1
             if height:
                 nodes = nodes_below(nodes[~found], len(self._levels[height - 1].codes))
-        return np.flatnonzero(np.cumsum(steps[:-1]))
+        return np.flatnonzero(np.cumsum(edges[:-1]))
 
     def _barred(self, without: Mapping[int, Ints]) -> list[Flags]:
         """Which nodes of each level hold segments to be left out; nothing if there are none."""

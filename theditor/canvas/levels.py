@@ -67,7 +67,7 @@ def parents_of(nodes: Ints) -> Ints:
 
 
 def places_of(nodes: Ints) -> Places:
-    """Where in an array to find what belongs to some nodes: in one piece, if they are neighbours."""
+    """Where in an array to find what belongs to some nodes, ascending and distinct; in one piece if they adjoin."""
     if not len(nodes):
         return slice(0, 0)
     return slice(int(nodes[0]), int(nodes[-1]) + 1) if nodes[-1] - nodes[0] < len(nodes) else nodes

@@ -178,8 +178,7 @@ class SegmentTable:
 
     def points(self, rows: Ints, spacing: float, most: float) -> Along | None:
         """Points along some segments, no farther apart than a spacing; None if they are to be more than `most`."""
-        steps = self._speeds[rows]
-        steps /= spacing
+        steps = self._speeds.take(rows) / spacing
         few = steps.sum() + len(rows) <= most and steps.max(initial=0.0) < 2**14
         return partial(self._points, rows, steps) if few else None
 
