@@ -78,6 +78,8 @@ def sample(curve: "Curve", per_segment: int, out: Floats | None = None) -> Float
         _fill(curve.joint_form, matrix[:, :-1], inner)
     if curve.closed:
         out[:, -1] = out[:, 0]
+    elif keep:
+        out[:, -1] = curve.features[:, -1] @ matrix[:, -1]
     else:
         _fill(curve.joint_form.take(np.array([count - 1])), matrix[:, -1:], out[:, -1:].reshape(-1, 1, 1))
     return out.T
