@@ -76,7 +76,7 @@ class SegmentTable:
         where = places_of(np.flatnonzero(chosen[self.owner]))
         curves = [self._curves[place] for place in places.tolist()]
         forms = zip(*(curve.joint_form for curve in curves), strict=True)
-        _put(self._forms.T, where, _rows(np.concatenate(part, axis=-1) for part in forms))
+        _put(self._forms.T, where, _rows(_joined(part) for part in forms))
         self.level.codes[where] = joints.codes_of_all(curves, self._forms[where, 8:].T)
 
     @property
@@ -165,7 +165,8 @@ class SegmentTable:
     def _measure_block(self, own: Ints, degree: int) -> None:
         """Compute boxes, ends and bounds of some segments of one degree, ascending."""
         level, where = self.level, places_of(own)
-        start, end, stray, self.turning[where], self._speeds[where] = flatness(self.parts_of(own), degree)
+        parts = _joint_form(self._forms[where])
+        start, end, stray, self.turning[where], self._speeds[where] = flatness(parts, degree)
         level.strays[where] = stray
         _put(self.ends, where, (*start, *end))
         _put(level.low, where, np.minimum(start, end) - stray)
@@ -173,8 +174,7 @@ class SegmentTable:
 
     def parts_of(self, rows: Ints) -> joints.Segments:
         """Some segments in joint form."""
-        forms = self._forms.take(rows, axis=0).T.copy()
-        return joints.Segments(forms[0:2], forms[2:4], forms[4:6], forms[6:8], forms[8], forms[9])
+        return _joint_form(self._forms.take(rows, axis=0))
 
     def points(self, rows: Ints, spacing: float, most: float) -> Along | None:
         """Points along some segments, no farther apart than a spacing; None if they are to be more than `most`."""
@@ -197,6 +197,16 @@ class SegmentTable:
                 parts = self.parts_of(rows[first : min(first + BLOCK, end)])
                 number, cubic = divmod(int(keys[first]), 2)
                 yield middles(raster.segments(parts), 2 + cubic, number)
+
+
+def _joint_form(rows: Floats) -> joints.Segments:
+    """Segments that lie one after the other, (k, 10), coordinate by coordinate."""
+    forms = rows.T.copy()
+    return joints.Segments(forms[0:2], forms[2:4], forms[4:6], forms[6:8], forms[8], forms[9])
+
+
+def _joined(parts: Sequence[Floats]) -> Floats:
+    return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=-1)
 
 
 def _rows(parts: Iterable[Floats]) -> Iterator[Floats]:
