@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from theditor.drawing import Drawing, Item
 from theditor.spline import Curve, changed_segments
-from theditor.spline.sampling import differing_rows
+from theditor.spline.changed import differing_rows
 
 Ints = NDArray[np.intp]
 

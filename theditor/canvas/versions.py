@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from theditor.spline import Curve
-from theditor.spline.sampling import common_rows
+from theditor.spline.changed import common_rows
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.intp]

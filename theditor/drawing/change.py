@@ -10,7 +10,7 @@ from msgspec import Struct
 from theditor.drawing.drawing import Drawing, Item
 from theditor.spline import Curve
 from theditor.spline.basis import Floats
-from theditor.spline.sampling import differing_rows
+from theditor.spline.changed import differing_rows
 
 # A step can be taken to either side; everything it keeps is a pair (before, after), indexed by these.
 _BEFORE, _AFTER = 0, 1

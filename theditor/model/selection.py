@@ -13,8 +13,8 @@ from theditor.drawing import Drawing, Item
 from theditor.drawing.change import common_ends
 from theditor.model.document import Document
 from theditor.spline import Curve
+from theditor.spline.changed import common_rows
 from theditor.spline.distinct import distinct
-from theditor.spline.sampling import common_rows
 
 Ints = NDArray[np.intp]
 

@@ -11,6 +11,7 @@ from theditor.spline.basis import (
     mode_of,
 )
 from theditor.spline.catalogue import KNOWN, Known, Parameter
+from theditor.spline.changed import changed_segments
 from theditor.spline.checks import MAX_COORDINATE, MAX_LAMBDA, fewest_points
 from theditor.spline.continuity import Continuity, JointReport, continuity
 from theditor.spline.convert import Outline, Piece, outline
@@ -35,7 +36,6 @@ from theditor.spline.reach import Reach, Track, joint_track, middle_track, reach
 from theditor.spline.recognise import Missing, Recognised, missing, recognise, recognise_segments
 from theditor.spline.sampling import (
     Samples,
-    changed_segments,
     evaluate_segments,
     intervals_for,
     sample_adaptively,

@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from theditor.spline import joints
 from theditor.spline.basis import JOINT_SLOPE_ZERO, Floats, basis
+from theditor.spline.changed import changed_segments
 from theditor.spline.curvature import stands_still
 from theditor.spline.curve import Curve
 from theditor.spline.distinct import distinct
 from theditor.spline.guards import reversed_joints
 from theditor.spline.numerals import number
-from theditor.spline.sampling import changed_segments
 from theditor.spline.turns import cross, speed_scale
 
 _ORDERS: Final = {-1: "not even continuous", 0: "⁰", 1: "¹", 2: "²"}
