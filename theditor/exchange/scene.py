@@ -171,6 +171,8 @@ def _longer(low: Floats, high: Floats) -> float:
 def remarks(drawing: Drawing, *, plane: bool) -> Iterator[str]:
     """Yield what a format does not show of a drawing, a sentence each."""
     hidden = len(drawing) - len(visible(drawing))
+    if hidden == len(drawing):
+        yield "There is no curve to show in it."
     if hidden:
         yield f"{counted(hidden, 'hidden curve')} {'is' if hidden == 1 else 'are'} left out."
     if plane and any(item.curve.dimension == 3 for item in visible(drawing)):

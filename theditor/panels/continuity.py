@@ -19,7 +19,7 @@ EMPTY = "There is no curve yet."
 MOST_LIVE = 5000
 """If more segments change while a hand is on the drawing, they are measured when it lets go."""
 _ROW_HEIGHT = 24
-_WIDTHS = (46, 116, 78, 72, 72, 72, 76, 124)
+_WIDTHS = (46, 116, 76, 62, 62, 62, 74, 116)
 _POSITION = 1  # takes the room that is left, for its text has no fixed length
 _TIP = "Every joint, measured from both sides. Select one to select what shapes it and see it on the canvas."
 

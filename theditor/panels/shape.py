@@ -69,7 +69,6 @@ class ShapePanel(QWidget):
         self.field = NumberField(-MAX_LAMBDA, MAX_LAMBDA)
         self.mode_buttons = {mode: _toggle(letter) for mode, letter in words.MODE_LETTERS.items()}
         self.link_button, self.all_button = _toggle("Link"), _toggle("All")
-        describe(self.link_button, "Link λ: keep their differences", _LINK_TIP)
         label = QLabel("λ")
         label.setBuddy(self.field)
 
@@ -194,6 +193,8 @@ class ShapePanel(QWidget):
         for mode, button in self.mode_buttons.items():
             button.setEnabled(not reason)
             describe(button, f"Make λ {mode.value}", reason or _MODE_TIPS[mode])
+        self.link_button.setEnabled(not reason)
+        describe(self.link_button, "Link λ: keep their differences", reason or _LINK_TIP)
         on_all = not selection.count and not selection.segments
         self.all_button.setEnabled(selection.item is not None)
         self.all_button.setChecked(on_all and selection.item is not None)
