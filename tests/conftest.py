@@ -8,6 +8,8 @@ from pathlib import Path
 
 from hypothesis import HealthCheck, settings
 
+from theditor.app.plain_imports import plain_imports
+
 # Qt reads these when it is imported or an application is made: they are set before any test module loads.
 # THEDITOR_TEST_PLATFORM=xcb (wayland, cocoa, windows) shows the windows on a real screen.
 os.environ["QT_QPA_PLATFORM"] = os.environ.get("THEDITOR_TEST_PLATFORM", "offscreen")
@@ -29,6 +31,9 @@ for name, folder in {
 if os.environ["QT_QPA_PLATFORM"] == "offscreen":  # a real screen's sockets may live in the user's own folder
     (HOME / "runtime").mkdir(mode=0o700)
     os.environ["XDG_RUNTIME_DIR"] = str(HOME / "runtime")
+
+with plain_imports():  # as the program does
+    import PySide6.QtCore  # noqa: F401
 
 # The same examples every time; THEDITOR_LONG_RUN=1 looks for others, and many more of them.
 # A slow or shared machine is no failure.

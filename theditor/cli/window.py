@@ -17,13 +17,6 @@ DEBIAN_PACKAGES = (
     "libxcb-render-util0 libxcb-shape0 libxcb-shm0 libxcb-sync1 libxcb-xfixes0 libxcb-xkb1"
 )
 
-BEFORE_QT = (
-    "theditor.drawing",
-    *("cProfile", "importlib.resources", "logging.handlers", "multiprocessing.connection"),
-    *("pydoc", "subprocess", "xml.etree.ElementTree"),
-)
-"""Needed, by pyqtgraph or here, and loaded first, since Qt reads the source of all that is loaded after it."""
-
 
 def open_window(files: Sequence[str]) -> int:
     """Open a window for each file and return the exit code when all are closed."""
@@ -36,8 +29,10 @@ def open_window(files: Sequence[str]) -> int:
         )
     gc.disable()  # nothing that loading makes is garbage: looking for it takes a tenth of the time, now and later
     try:
-        for name in BEFORE_QT:
-            import_module(name)
+        from theditor.app.plain_imports import plain_imports
+
+        with plain_imports():
+            import_module("PySide6.QtCore")
         from theditor.app.main import run
     except ImportError as error:
         return fail(missing_library(error))
