@@ -44,7 +44,7 @@ VISIBLE, CLEAR = 70.0, 110.0
 """A curve that is not so much, of 255, darker or lighter than the canvas is made to be, and by so much."""
 FRAYING = 6.0
 """In bends of lines wider than this the corners of square caps would stick out."""
-MOST_FORMER, MOST_KEPT = 10, 300_000
+MOST_FORMER, MOST_KEPT = 10, 1_000_000
 """So many trees, over so many segments in all, are kept for going back to former drawings.
 
 Each one is asked at every change whether it can follow; each segment takes some 220 bytes.
