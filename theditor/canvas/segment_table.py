@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from theditor.canvas.levels import Flags, Floats, Ints, Level, Places, places_of
 from theditor.canvas.raster import Along, Raster
-from theditor.canvas.versions import FEW, changed_share, same_segments, whole_offset
+from theditor.canvas.versions import changed_share, same_segments, whole_offset
 from theditor.spline import Curve, changed_segments, joints
 from theditor.spline.distinct import distinct
 from theditor.spline.flatness import flatness
@@ -20,6 +20,8 @@ from theditor.spline.sampling import middles
 
 BLOCK = 8192
 """So many segments are looked at together, as their numbers stay in the processor's cache."""
+ASKED = 4
+"""Of about so many curves it is seen in how much they have changed, to judge whether to follow."""
 MOST_SHIFTS = 1000
 """So many times segments are moved with their curves, each time rounded, before they are measured anew."""
 SLIGHT = 1e-11
@@ -137,7 +139,7 @@ class SegmentTable:
 
     def _rough_count(self, changes: Sequence[tuple[int, Curve, Curve]]) -> float:
         """About how many segments are to be measured anew, judged by a few of the curves that have changed."""
-        some = changes[:: len(changes) // FEW + 1]
+        some = changes[:: len(changes) // ASKED + 1]
         slight = SLIGHT * self.sizes.max(axis=0)
         share = sum(
             changed_share(old, new)

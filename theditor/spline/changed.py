@@ -10,6 +10,8 @@ from theditor.spline.distinct import distinct
 if TYPE_CHECKING:
     from theditor.spline.curve import Curve
 
+_FIRST = 64  # rows
+
 
 def changed_segments(old: "Curve", new: "Curve") -> NDArray[np.intp] | None:
     """Return which segments may differ between two curves, ascending.
@@ -59,9 +61,11 @@ def differing_rows(old: NDArray[Any], new: NDArray[Any]) -> NDArray[np.intp]:
 def common_rows(one: NDArray[Any], other: NDArray[Any]) -> int:
     """Return how many rows are the same at the beginnings of two arrays."""
     count = min(len(one), len(other))
-    differ = (one[:count] != other[:count]).ravel()
-    place = int(differ.argmax()) if differ.any() else len(differ)
-    return place * count // len(differ) if count else 0
+    for end in (min(count, _FIRST), count):  # most often it is seen at once, or not at all
+        differ = (one[:end] != other[:end]).ravel()
+        if differ.any():
+            return int(differ.argmax()) * end // len(differ)
+    return count
 
 
 def _within_reach(places: NDArray[np.intp], reach: range, count: int, closed: bool) -> NDArray[np.intp]:
