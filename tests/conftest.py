@@ -8,7 +8,7 @@ from pathlib import Path
 
 from hypothesis import HealthCheck, settings
 
-from theditor.app.plain_imports import plain_imports
+from theditor.app.loading_qt import load_qt
 
 # Qt reads these when it is imported or an application is made: they are set before any test module loads.
 # THEDITOR_TEST_PLATFORM=xcb (wayland, cocoa, windows) shows the windows on a real screen.
@@ -32,8 +32,7 @@ if os.environ["QT_QPA_PLATFORM"] == "offscreen":  # a real screen's sockets may 
     (HOME / "runtime").mkdir(mode=0o700)
     os.environ["XDG_RUNTIME_DIR"] = str(HOME / "runtime")
 
-with plain_imports():  # as the program does
-    import PySide6.QtCore  # noqa: F401
+load_qt()  # as the program does
 
 # The same examples every time; THEDITOR_LONG_RUN=1 looks for others, and many more of them.
 # A slow or shared machine is no failure.

@@ -224,5 +224,5 @@ def _draw_pixmaps(painter: QPainter, pixels: Floats, pixmap: QPixmap, ratio: flo
     fragments[:, 4:6] = pixmap.width()
     fragments[:, 6:8] = 1 / ratio
     fragments[:, 9] = 1
-    first: Any = Shiboken.wrapInstance(fragments.__array_interface__["data"][0], QPainter.PixmapFragment)
+    first: Any = Shiboken.wrapInstance(fragments.ctypes.data, QPainter.PixmapFragment)
     painter.drawPixmapFragments(first, len(fragments), pixmap)

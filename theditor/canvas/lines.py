@@ -62,5 +62,5 @@ def draw_lines(painter: QPainter, lines: Floats) -> None:
             if len(still):
                 lines = lines.copy()
                 lines[still, 2] += SPECK
-        first: Any = Shiboken.wrapInstance(lines.__array_interface__["data"][0], QLineF)
+        first: Any = Shiboken.wrapInstance(lines.ctypes.data, QLineF)
         painter.drawLines(first, len(lines))

@@ -6,7 +6,6 @@ import gc
 import os
 import sys
 from collections.abc import Sequence
-from importlib import import_module
 from pathlib import Path
 
 from theditor.cli import fail
@@ -29,10 +28,9 @@ def open_window(files: Sequence[str]) -> int:
         )
     gc.disable()  # nothing that loading makes is garbage: looking for it takes a tenth of the time, now and later
     try:
-        from theditor.app.plain_imports import plain_imports
+        from theditor.app.loading_qt import load_qt
 
-        with plain_imports():
-            import_module("PySide6.QtCore")
+        load_qt()
         from theditor.app.main import run
     except ImportError as error:
         return fail(missing_library(error))

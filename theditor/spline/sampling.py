@@ -33,27 +33,6 @@ class Samples(NamedTuple):
     starts: NDArray[np.intp]  # (k + 1,)
     points: Floats  # (N, d), each segment with both its ends
 
-    def pieces(self) -> tuple[Floats, NDArray[np.intp], Floats]:
-        """Return the straight pieces between neighbouring points of each segment.
-
-        Returns
-        -------
-        lines : ndarray, shape (n, 2·d)
-            Start and end of each piece.
-        run : ndarray of int, shape (n,)
-            Which of `segments` it belongs to.
-        t : ndarray, shape (n, 2)
-            Parameters of its start and end.
-        """
-        begins_piece = np.ones(len(self.points), dtype=np.bool_)
-        begins_piece[self.starts[1:] - 1] = False
-        first = np.flatnonzero(begins_piece)
-        run = np.repeat(np.arange(len(self.segments)), self.intervals)
-        step = 1.0 / self.intervals[run]
-        t = (first - self.starts[run]) * step
-        lines = np.hstack([self.points[first], self.points[first + 1]])
-        return lines, run, np.stack([t, t + step], axis=1)
-
 
 def sample(curve: "Curve", per_segment: int, out: Floats | None = None) -> Floats:
     """Return points at equal steps of t along the whole curve; see `Curve.sample`."""

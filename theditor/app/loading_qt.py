@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import builtins
-from collections.abc import Iterator
-from contextlib import contextmanager
+from importlib import import_module
 
 
-@contextmanager
-def plain_imports() -> Iterator[None]:
-    """Keep Python's way to import while Qt is loaded.
+def load_qt() -> None:
+    """Load Qt, and keep Python's way to import.
 
     PySide puts its own in place, which looks into the source of each module to come for ``from __feature__``.
     Nothing here has that, and looking takes a tenth of the time until the window is painted.
     """
     plain = builtins.__import__
     try:
-        yield
+        import_module("PySide6.QtCore")
     finally:
         builtins.__import__ = plain
